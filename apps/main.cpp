@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The program osteon. Results on standard output, messages on standard error, exit status by kind of error.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <new>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "documents.hpp"
+#include "osteon/kernel/double.hpp"
+#include "osteon/kernel/filtered.hpp"
+#include "osteon/kernel/perturbed.hpp"
+#include "osteon/kernel/rational.hpp"
+#include "osteon/kernel/sqrt.hpp"
+#include "osteon/obj.hpp"
+#include "osteon/propagate.hpp"
+#include "osteon/solid.hpp"
+
+namespace osteon::app {
+namespace {
+
+enum status : int { done = 0, usage = 2, bad_input = 3, undecided = 4, broken = 5 };
+
+const std::map<std::string, split_preference> preferences = {
+    {"convex", split_preference::convex}, {"reflex", split_preference::reflex}, {"min-volume", split_preference::min_volume}, {"max-volume", split_preference::max_volume}};
+const std::map<std::string, saddle_rule> saddles = {
+    {"convex", saddle_rule::convex}, {"reflex", saddle_rule::reflex}, {"slower", saddle_rule::slower}, {"faster", saddle_rule::faster}};
+
+template <class Value>
+std::vector<std::string> names(const std::map<std::string, Value>& of) {
+  std::vector<std::string> result;
+  for (const auto& [name, value] : of) result.push_back(name);
+  return result;
+}
+
+/// A file with the repairs that the user asked for.
+struct model {
+  std::string file;
+  bool flip = false;
+  bool triangulate = false;
+
+  void add_to(CLI::App& command) {
+    command.add_option("FILE", file, "a closed polyhedron as Wavefront OBJ; - for standard input")->required();
+    command.add_flag("--flip", flip, "reverse all facets, for a model whose normals point inwards");
+    command.add_flag("--triangulate", triangulate, "cut facets that are not planar into triangles");
+  }
+
+  solid<integer> read() const {
+    mesh<integer> m = [&] {
+      if (file == "-") return read_obj<integer>(std::cin, "standard input");
+      std::ifstream in(file, std::ios::binary);
+      if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
+      return read_obj<integer>(in, file);
+    }();
+    if (flip) solid_builder<integer>::flip(m);
+    if (triangulate) solid_builder<integer>::triangulate(m);
+    return make_solid(std::move(m));
+  }
+};
+
+/// Calls body with the named kernel. The exact ones are filtered and perturbed, so that no input is degenerate.
+template <class Body>
+auto with_kernel(const std::string& name, std::span<const moving_plane<integer>> planes, Body body) {
+  if (name == "double") return body(make_double_kernel(planes));
+  if (name == "rational") return body(perturbed(filtered(planes, make_rational_kernel(planes))));
+  return body(perturbed(filtered(planes, make_sqrt_kernel(planes))));
+}
+
+/// Writes to a new file first, so that nothing is lost when that fails.
+void write_file(const std::string& name, const std::string& text) {
+  const std::string fresh = name + ".part";
+  {
+    std::ofstream out(fresh, std::ios::binary);
+    out << text;
+    out.flush();
+    if (!out) throw input_error(input_fault::unreadable, 0, name + ": cannot be written", "check the folder and the space on the disk");
+  }
+  std::filesystem::rename(fresh, name);
+}
+
+struct skeleton_command {
+  model input;
+  std::string kernel = "sqrt";
+  std::string prefer = "convex";
+  std::string saddle;
+  std::string output;
+  bool summary = false;
+
+  void add_to(CLI::App& program) {
+    CLI::App* c = program.add_subcommand("skeleton", "compute the straight skeleton of a polyhedron");
+    input.add_to(*c);
+    c->add_option("--kernel", kernel, "numbers: sqrt (exact), rational (exact, speeds rounded to 2^-64), double (may fail)")->check(CLI::IsMember({"sqrt", "rational", "double"}))->capture_default_str();
+    c->add_option("--prefer", prefer, "which way to split a vertex of high degree")->check(CLI::IsMember(names(preferences)))->capture_default_str();
+    c->add_option("--saddle", saddle, "which way to take at a saddle; convex with --prefer convex and max-volume, else reflex")->check(CLI::IsMember(names(saddles)));
+    c->add_option("--output", output, "write the skeleton as JSON to this file");
+    c->add_flag("--summary", summary, "print one JSON object with counts instead of the skeleton");
+    c->footer("Examples:\n  osteon skeleton bunny.obj --summary\n  osteon skeleton bunny.obj --prefer min-volume --saddle faster --output bunny.json");
+    c->callback([this] { run(); });
+  }
+
+  void run() const {
+    const solid<integer> s = input.read();
+    options o;
+    o.prefer = preferences.at(prefer);
+    o.saddle = saddle.empty() ? default_saddle(o.prefer) : saddles.at(saddle);
+    const auto begin = std::chrono::steady_clock::now();
+    const skeleton result = with_kernel(kernel, s.planes, [&](const auto& k) { return straight_skeleton(k, s.boundary, o); });
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    if (!output.empty()) write_file(output, skeleton_document(s, result).dump() + "\n");
+    if (summary) {
+      json doc;
+      doc["input"] = {{"vertices", s.boundary.vertices.size()}, {"edges", s.boundary.edges.size()}, {"facets", s.facets}};
+      doc["kernel"] = kernel;
+      doc["prefer"] = prefer;
+      doc["raw"] = {{"nodes", result.nodes.size()}, {"arcs", result.arcs.size()}, {"sheets", result.sheets.size()}};
+      doc["events"] = events_document(result);
+      doc["ambiguous"] = result.ambiguous;
+      doc["seconds"] = took.count();
+      fmt::print("{}\n", doc.dump());
+    } else if (output.empty()) {
+      fmt::print("{}\n", skeleton_document(s, result).dump());
+    }
+  }
+};
+
+struct splits_command {
+  model input;
+  int vertex = 0;
+  bool all = false;
+  bool summary = false;
+
+  void add_to(CLI::App& program) {
+    CLI::App* c = program.add_subcommand("splits", "list the ways to split a vertex into vertices of degree three");
+    input.add_to(*c);
+    c->add_option("--vertex", vertex, "the point's number in the file, from 1")->required();
+    c->add_flag("--all", all, "list every valid tree instead of the first");
+    c->add_flag("--summary", summary, "print one JSON object with counts");
+    c->footer(
+        "A tree is a list of split operations <a,b>: the facets a and b of the vertex, counted from 0 counter-clockwise\n"
+        "seen from outside, become adjacent. `#` after a tree: one of its vertices lies infinitely far away on an edge\n"
+        "of the solid, so that the tree splits the corner but not the solid.\n"
+        "Example:\n  osteon splits seastar.obj --vertex 12 --all");
+    c->callback([this] { run(); });
+  }
+
+  void run() const {
+    const solid<integer> s = input.read();
+    const auto found = std::find(s.input_points.begin(), s.input_points.end(), vertex - 1);
+    if (found == s.input_points.end())
+      throw input_error(input_fault::bad_index, static_cast<std::size_t>(std::max(vertex, 0)), fmt::format("{}: point {} is no vertex of the solid", input.file, vertex), "name a point where at least three planes meet");
+    const auto& v = s.boundary.vertices[static_cast<std::size_t>(found - s.input_points.begin())];
+    const int degree = static_cast<int>(v.facets.size());
+    std::map<operations, bool> trees;  // whether all vertices stay near
+    if (degree > 3) {
+      corner c{v.facets, {}};
+      for (const int e : v.edges) c.convex.push_back(s.boundary.edges[static_cast<std::size_t>(e)].convex);
+      for (const bool mirrored : {false, true}) {
+        const perturbed k(filtered(std::span<const moving_plane<integer>>(s.planes), make_sqrt_kernel(s.planes)), mirrored);
+        for (const bool bounded : {false, true})
+          for (const auto& t : splitter(k, c, bounded).all()) trees[operations_of(t)] |= bounded;
+      }
+    }
+    const std::size_t valid = degree == 3 ? 1 : trees.size();
+    if (summary) {
+      const json doc = {{"vertex", vertex}, {"degree", degree}, {"trees", std::to_string(catalan(degree - 2))}, {"valid", valid}, {"method", "enumeration"}};
+      fmt::print("{}\n", doc.dump());
+      return;
+    }
+    std::string facets;
+    for (const plane_id f : v.facets) facets += fmt::format(" {}", f);
+    fmt::print(stderr, "vertex {}, degree {}, planes{}, {} trees, {} valid\n", vertex, degree, facets, catalan(degree - 2), valid);
+    for (const auto& [tree, near] : trees) {
+      fmt::print("{}{}\n", text_of(tree), near ? "" : " #");
+      if (!all) break;
+    }
+  }
+
+  using operations = std::vector<std::pair<int, int>>;
+
+  static operations operations_of(const split_tree& t) {
+    operations result;
+    for (const auto& e : t.edges) result.emplace_back(e.a, e.b);
+    return result;
+  }
+
+  static std::string text_of(const operations& t) {
+    std::string text;
+    for (const auto& [a, b] : t) text += fmt::format("{}<{},{}>", text.empty() ? "" : ",", a, b);
+    return text;
+  }
+};
+
+int run(int argc, char** argv) {
+  CLI::App program("Exact straight skeletons of polyhedra.", "osteon");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", "osteon 0.1.0");
+  program.footer("Exit status: 0 done, 2 wrong usage, 3 bad input, 4 the kernel could not decide, 5 internal invariant violated.\nExample:\n  osteon skeleton model.obj --summary");
+  skeleton_command skeletons;
+  skeletons.add_to(program);
+  splits_command splits;
+  splits.add_to(program);
+  try {
+    program.parse(argc, argv);
+    return done;
+  } catch (const CLI::ParseError& e) {
+    return program.exit(e) == 0 ? done : usage;
+  } catch (const input_error& e) {
+    fmt::print(stderr, "osteon: {}\n", e.what());
+    return bad_input;
+  } catch (const unsupported_error& e) {
+    fmt::print(stderr, "osteon: {}\n", e.what());
+    return bad_input;
+  } catch (const undecided_error& e) {
+    fmt::print(stderr, "osteon: {}\n", e.what());
+    return undecided;
+  } catch (const invariant_error& e) {
+    fmt::print(stderr, "osteon: {}\nThis is a defect of osteon; please report it with the input.\n", e.what());
+    return broken;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "osteon: the input needs more memory than there is; cure: give a smaller model\n");
+    return bad_input;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "osteon: {}\n", e.what());
+    return broken;
+  }
+}
+
+}  // namespace
+}  // namespace osteon::app
+
+int main(int argc, char** argv) { return osteon::app::run(argc, argv); }

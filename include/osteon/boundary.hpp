@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// The boundary of a solid as the algorithms see it: planes' numbers and incidences, no coordinates.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "osteon/kernel.hpp"
+
+namespace osteon {
+
+/// Vertices, edges and facets of a solid whose adjacent facets are never coplanar. A facet is all of the boundary in
+/// one plane: it may have several components and holes.
+struct boundary {
+  struct edge {
+    std::array<int, 2> ends;
+    std::array<plane_id, 2> planes;
+    bool convex;
+  };
+  /// Facets counter-clockwise seen from outside; edges[m] lies between facets[m] and facets[m + 1].
+  struct vertex {
+    std::vector<plane_id> facets;
+    std::vector<int> edges;
+  };
+  std::vector<vertex> vertices;
+  std::vector<edge> edges;
+  plane_id planes = 0;
+};
+
+}  // namespace osteon

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// Reads Wavefront OBJ: points and polygons, decimals exactly.
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <istream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "osteon/error.hpp"
+#include "osteon/mesh.hpp"
+
+namespace osteon {
+
+/// Limits that no input can push memory beyond.
+inline constexpr std::size_t longest_line = 1U << 20U;
+inline constexpr std::size_t most_points = 10'000'000;
+inline constexpr std::size_t most_corners = 60'000'000;
+
+namespace obj {
+
+inline bool blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+/// The next word of a line, removed from it; empty at the end.
+inline std::string_view next_word(std::string_view& line) {
+  std::size_t a = 0;
+  while (a < line.size() && blank(line[a])) ++a;
+  std::size_t b = a;
+  while (b < line.size() && !blank(line[b])) ++b;
+  const std::string_view word = line.substr(a, b - a);
+  line.remove_prefix(b);
+  return word;
+}
+
+/// One logical line without its comment; a backslash at the end continues it. Returns false at the end of the file.
+inline bool next_line(std::istream& in, std::string& line, std::size_t& number, const std::string& file) {
+  line.clear();
+  bool any = false;
+  for (char c = 0; in.get(c);) {
+    any = true;
+    if (c == '\n') {
+      ++number;
+      while (!line.empty() && line.back() == '\r') line.pop_back();
+      if (line.empty() || line.back() != '\\') break;
+      line.back() = ' ';
+      continue;
+    }
+    if (c == '\0' || line.size() >= longest_line) {
+      const std::string where = file + ":" + std::to_string(number + 1) + ": ";
+      if (c == '\0') throw input_error(input_fault::not_obj, number + 1, where + "a zero byte, so this is not a text file", "give a Wavefront OBJ file");
+      throw input_error(input_fault::absurd_size, number + 1, where + "a line longer than a mebibyte", "break the line with a backslash, or give a Wavefront OBJ file");
+    }
+    line += c;
+  }
+  if (in.eof() && any && (line.empty() || in.gcount() == 0)) ++number;
+  if (const auto comment = line.find('#'); comment != std::string::npos) line.resize(comment);
+  return any;
+}
+
+/// Statements that carry no geometry of polygons.
+inline bool ignored(std::string_view word) {
+  static constexpr std::array<std::string_view, 16> words = {"vt", "vn", "vp", "g", "o", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj"};
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+}  // namespace obj
+
+/// Reads points (`v`) and polygons (`f`, with texture and normal indices, negative indices). Groups, materials, normals and
+/// textures are skipped; lines, curves and surfaces are refused. `file` is for messages. Throws input_error. Linear time.
+template <class Int>
+mesh<Int> read_obj(std::istream& in, const std::string& file) {
+  mesh<Int> m;
+  m.file = file;
+  std::string text;
+  std::size_t number = 0;
+  std::size_t corners = 0;
+  while (obj::next_line(in, text, number, file)) {
+    std::string_view line = text;
+    const auto fail = [&](input_fault fault, const std::string& what, const std::string& cure) {
+      throw input_error(fault, number, file + ":" + std::to_string(number) + ": " + what, cure);
+    };
+    const auto quote = [](std::string_view word) { return "'" + std::string(word.substr(0, 40)) + (word.size() > 40 ? "..." : "") + "'"; };
+    const std::string_view keyword = obj::next_word(line);
+    if (keyword.empty() || obj::ignored(keyword)) continue;
+    if (keyword == "v") {
+      if (m.points.size() == most_points) fail(input_fault::absurd_size, "more than ten million points", "give a smaller model");
+      auto& point = m.points.emplace_back();
+      m.point_lines.push_back(number);
+      int count = 0;
+      for (std::string_view word = obj::next_word(line); !word.empty(); word = obj::next_word(line), ++count) {
+        exact_number<Int> value;
+        switch (read_decimal(word, value)) {
+          case number_fault::malformed:
+            fail(input_fault::bad_number, quote(word) + " is not a finite decimal number", "write coordinates like -1.25 or 3e-2");
+            break;
+          case number_fault::too_long:
+            fail(input_fault::absurd_size, quote(word) + " is beyond 1e400 or longer than 1000 digits", "scale the model");
+            break;
+          case number_fault::none: break;
+        }
+        if (count < 3) point[static_cast<std::size_t>(count)] = value;
+      }
+      if (count < 3) fail(input_fault::bad_number, "a point with " + std::to_string(count) + " coordinates", "give x, y and z");
+    } else if (keyword == "f") {
+      auto& facet = m.facets.emplace_back();
+      m.facet_lines.push_back(number);
+      for (std::string_view word = obj::next_word(line); !word.empty(); word = obj::next_word(line)) {
+        long index = 0;
+        const auto [end, ec] = std::from_chars(word.data(), word.data() + word.size(), index);
+        const bool whole = ec == std::errc() && (end == word.data() + word.size() || *end == '/');
+        if (!whole || index == 0) fail(input_fault::bad_index, quote(word) + " is not the number of a point", "count points from 1, or from -1 backwards");
+        const auto points = static_cast<long>(m.points.size());
+        if (index < -points) fail(input_fault::bad_index, "there is no point " + std::to_string(index) + " before this line", "name one of the " + std::to_string(points) + " points");
+        if (index > static_cast<long>(most_points)) fail(input_fault::bad_index, "there is no point " + std::to_string(index), "name a point of the file");
+        facet.push_back(static_cast<int>(index > 0 ? index - 1 : points + index));
+        if (++corners == most_corners) fail(input_fault::absurd_size, "more than sixty million corners", "give a smaller model");
+      }
+      if (facet.size() < 3) fail(input_fault::short_facet, "a facet with " + std::to_string(facet.size()) + " corners", "give at least three, or delete the line");
+    } else if (keyword == "l" || keyword == "p" || keyword == "curv" || keyword == "curv2" || keyword == "surf" || keyword == "cstype" || keyword == "deg") {
+      fail(input_fault::not_obj, quote(keyword) + " is no polygon", "export the model as polygons only");
+    } else {
+      fail(input_fault::not_obj, quote(keyword) + " is no statement of an OBJ file", "give a Wavefront OBJ file");
+    }
+  }
+  if (in.bad()) throw input_error(input_fault::unreadable, number, file + ": reading failed", "check the file");
+  if (m.points.empty() && m.facets.empty()) throw input_error(input_fault::empty, 0, file + ": the file is empty", "give points (v) and facets (f)");
+  if (m.facets.empty()) throw input_error(input_fault::empty, 0, file + ": there are no facets", "give facets (f)");
+  if (m.points.empty()) throw input_error(input_fault::empty, 0, file + ": there are no points", "give points (v)");
+  return m;
+}
+
+}  // namespace osteon

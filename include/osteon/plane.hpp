@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// A moving plane in exact numbers: what kernels are made from.
+
+#include <array>
+#include <tuple>
+
+namespace osteon {
+
+/// The plane n . x = d - t * weight * |n|. `Int` is an exact integer of any size. Outward normal `n` (not zero, in
+/// units of length^-1 after the input was scaled to integers), offset `d`, speed `weight` > 0 relative to the unit
+/// speed of the input divided by a common denominator.
+template <class Int>
+struct moving_plane {
+  std::array<Int, 3> n;
+  Int d;
+  Int weight = 1;
+
+  friend bool operator==(const moving_plane&, const moving_plane&) = default;
+  friend bool operator<(const moving_plane& a, const moving_plane& b) {
+    return std::tie(a.n, a.d, a.weight) < std::tie(b.n, b.d, b.weight);
+  }
+};
+
+}  // namespace osteon

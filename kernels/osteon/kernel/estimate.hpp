@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// Floating-point numbers that know how wrong they may be.
+
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "osteon/kernel/forms.hpp"
+#include "osteon/kernel/to_double.hpp"
+#include "osteon/sign.hpp"
+
+namespace osteon {
+
+/// A rounded number: `value`, and `scale`, the same expression evaluated on absolute values. Every operation is rounded once,
+/// so after an expression in which each path from input to result meets at most k roundings (an input itself counts
+/// for two, it may be truncated) |value - true| <= k' u scale with u = 2^-53 and k' slightly above k.
+/// `exact`: all inputs were integers represented exactly; then the value is true while scale stays below 2^53.
+struct estimate {
+  double value;
+  double scale;
+  bool exact;
+
+  // The longest path in formulas.hpp: a minor has 3 inputs (6), 2 products, 2 sums, and for higher grades 6 sums more
+  // (16); D and S multiply with an input and add 4 terms (23); a cross product multiplies two of them, merges up to
+  // 14 terms, multiplies with an input and adds 8 terms: 2 * 23 + 1 + 14 + 3 + 8 = 72. 100 leaves room for the
+  // rounding of scale itself and of the bound.
+  static constexpr double bound = 100 * 0x1p-53;
+
+  double error() const { return bound * scale; }
+
+  estimate() = default;
+  estimate(double v, double s, bool e) : value(v), scale(s), exact(e) {}
+  explicit estimate(int x) : value(x), scale(std::abs(x)), exact(true) {}
+  static estimate input(double x, bool exact) { return {x, std::abs(x), exact}; }
+
+  friend estimate operator+(const estimate& a, const estimate& b) { return {a.value + b.value, a.scale + b.scale, a.exact && b.exact}; }
+  friend estimate operator-(const estimate& a, const estimate& b) { return {a.value - b.value, a.scale + b.scale, a.exact && b.exact}; }
+  friend estimate operator*(const estimate& a, const estimate& b) { return {a.value * b.value, a.scale * b.scale, a.exact && b.exact}; }
+  friend estimate operator-(const estimate& a) { return {-a.value, a.scale, a.exact}; }
+
+  /// The sign of the true number, or nothing. Outside a safe range of exponents nothing is certain.
+  std::optional<sign> certain_sign() const {
+    if (exact && scale < 0x1p53) return sign_of(value);
+    if (scale < 1e290 && scale > 1e-250 && std::abs(value) > error()) return sign_of(value);
+    return std::nullopt;
+  }
+};
+
+/// Planes as estimates.
+class estimated_planes {
+ public:
+  using number = estimate;
+
+  explicit estimated_planes(std::span<const moving_plane<integer>> planes) : planes_(round_planes(planes)) {}
+
+  plane_id size() const { return static_cast<plane_id>(planes_.size()); }
+  const rounded_plane& plane(plane_id i) const { return planes_[i]; }
+  estimate n(plane_id i, int axis) const { return estimate::input(planes_[i].n[axis], planes_[i].exact); }
+  estimate d(plane_id i) const { return estimate::input(planes_[i].d, planes_[i].exact); }
+  estimate u(plane_id i, int axis) const { return estimate::input(planes_[i].u[axis], planes_[i].exact); }
+  estimate delta(plane_id i) const { return estimate::input(planes_[i].delta, planes_[i].exact); }
+  estimate speed(plane_id i) const { return estimate::input(planes_[i].speed, planes_[i].exact); }
+
+  estimate value(const linear_form<estimate>& f) const {
+    estimate sum(0);
+    for (int t = 0; t < f.size; ++t) sum = sum + f.terms[t].coefficient * speed(f.terms[t].plane);
+    return sum;
+  }
+
+ private:
+  std::vector<rounded_plane> planes_;
+};
+
+}  // namespace osteon

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// filtered<K>: certified floating point first, K only where that cannot decide.
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "osteon/kernel/estimate.hpp"
+#include "osteon/kernel/direct.hpp"
+
+namespace osteon {
+
+/// Signs that are certain, or nothing.
+class filter_arithmetic : public estimated_planes {
+ public:
+  using estimated_planes::estimated_planes;
+  std::optional<sign> decide(const estimate& x) const { return x.certain_sign(); }
+  std::optional<sign> decide(const linear_form<estimate>& f) const { return value(f).certain_sign(); }
+};
+
+/// K with a floating-point filter in front. The same answers as K, always.
+template <class K>
+class filtered {
+ public:
+  static constexpr bool exact = K::exact;
+
+  /// D and S as estimates, and an interval that certainly contains D / S.
+  struct meeting {
+    quadruple planes;
+    sign closing;
+    estimate offset;
+    estimate speed;
+    double earliest;
+    double latest;
+  };
+  using bisector_type = typename K::bisector_type;
+
+  filtered(std::span<const moving_plane<integer>> planes, K exact_kernel) : fast_(filter_arithmetic(planes)), exact_(std::move(exact_kernel)) {}
+  const K& base() const { return exact_; }
+
+  plane_id size() const { return exact_.size(); }
+  sign orientation(plane_id a, plane_id b, plane_id c) const { return orientation_at(0, {a, b, c}); }
+  bool transversal(plane_id a, plane_id b, plane_id c) const { return orientation(a, b, c) != sign::zero; }
+
+  meeting meeting_of(const quadruple& q) const {
+    meeting m = estimated(ascending(q));
+    const auto s = m.speed.certain_sign();
+    m.closing = s ? *s : exact_.closing_at(0, m.planes);
+    return m;
+  }
+  std::optional<meeting> meet(const quadruple& q) const {
+    const meeting m = meeting_of(q);
+    return m.closing == sign::zero ? std::nullopt : std::optional(m);
+  }
+  quadruple planes(const meeting& m) const { return m.planes; }
+  sign closing(const meeting& m) const { return m.closing; }
+  meeting start() const { return {start_planes, sign::positive, estimate(0), estimate(1), 0, 0}; }
+
+  sign compare(const meeting& m, const meeting& n) const {
+    if (m.latest < n.earliest) return sign::negative;
+    if (m.earliest > n.latest) return sign::positive;
+    if (m.planes == n.planes) return sign::zero;
+    if (m.planes == start_planes) return -compare(n, m);
+    if (n.planes == start_planes) return offset_sign(m) * m.closing == sign::positive ? sign::positive : sign::negative;
+    return cross(m, n) * m.closing * n.closing;
+  }
+
+  sign side(plane_id d, plane_id a, plane_id b, plane_id c, const meeting& m) const {
+    const sign corner = orientation(a, b, c);
+    const quadruple q{a, b, c, d};
+    if (m.planes == start_planes) return -closing_at(0, q) * corner;
+    return cross(estimated(q), m) * m.closing * corner;
+  }
+
+  bisector_type bisector(plane_id a, plane_id b) const { return exact_.bisector(a, b); }
+  sign compare(const bisector_type& e, const bisector_type& f) const { return exact_.compare(e, f); }
+  sign compare_volume(std::span<const triple> s, std::span<const triple> t) const { return exact_.compare_volume(s, t); }
+
+  sign orientation_at(int grade, const triple& t) const {
+    const auto s = fast_.orientation_at(grade, t);
+    return s ? *s : exact_.orientation_at(grade, t);
+  }
+  sign offset_at(int grade, const quadruple& q) const {
+    const auto s = fast_.offset_at(grade, q);
+    return s ? *s : exact_.offset_at(grade, q);
+  }
+  sign closing_at(int grade, const quadruple& q) const {
+    const auto s = fast_.closing_at(grade, q);
+    return s ? *s : exact_.closing_at(grade, q);
+  }
+  sign cross_at(int grade, const quadruple& q, const quadruple& r) const {
+    const auto s = fast_.cross_at(grade, q, r);
+    return s ? *s : exact_.cross_at(grade, q, r);
+  }
+
+ private:
+  // D, S and the time's interval; the sign of S still open.
+  meeting estimated(const quadruple& q) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto& a = fast_.arithmetic();
+    const auto lambda = fast_.lambda(0, q);
+    meeting m{q, sign::zero, estimate(0), estimate(0), -infinity, infinity};
+    for (int r = 0; r < 4; ++r) {
+      m.offset = m.offset + lambda[r] * a.d(q[r]);
+      m.speed = m.speed + lambda[r] * a.speed(q[r]);
+    }
+    const double below = std::abs(m.speed.value) - m.speed.error();
+    if (below > 0 && m.speed.scale > 1e-250 && m.offset.scale > 1e-250 && m.speed.scale < 1e290 && m.offset.scale < 1e290) {
+      const double t = m.offset.value / m.speed.value;
+      // |D'/S' - D/S| <= (|D' - D| + |t| |S' - S|) / |S|; the factor covers the roundings of this line.
+      const double radius = (m.offset.error() + std::abs(t) * m.speed.error()) / below * (1 + 0x1p-48) + std::abs(t) * 0x1p-50;
+      m.earliest = t - radius;
+      m.latest = t + radius;
+    }
+    return m;
+  }
+
+  sign cross(const meeting& m, const meeting& n) const {
+    const auto s = (m.offset * n.speed - n.offset * m.speed).certain_sign();
+    return s ? *s : exact_.cross_at(0, m.planes, n.planes);
+  }
+
+  sign offset_sign(const meeting& m) const {
+    const auto s = m.offset.certain_sign();
+    return s ? *s : exact_.offset_at(0, m.planes);
+  }
+
+  formulas<filter_arithmetic> fast_;
+  K exact_;
+};
+
+}  // namespace osteon

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// perturbed<K>: symbolic perturbation in two levels, first of the offsets, then of the normals (design 04). No
+/// predicate is ever zero and all events have one strict order; where K is not zero nothing changes and little is added to the cost.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "osteon/error.hpp"
+#include "osteon/kernel.hpp"
+#include "osteon/kernel/direct.hpp"
+
+namespace osteon {
+
+template <graded_kernel K>
+class perturbed {
+ public:
+  static constexpr bool exact = K::exact;
+
+  struct meeting {
+    typename K::meeting base;
+    sign closing;  ///< of the leading coefficient of S
+    bool regular;  ///< that coefficient is the one of grade 0
+  };
+  using bisector_type = typename K::bisector_type;
+
+  /// `mirrored` tilts all planes the other way.
+  explicit perturbed(K base, bool mirrored = false) : k_(std::move(base)), mirrored_(mirrored) {}
+  const K& base() const { return k_; }
+
+  plane_id size() const { return k_.size(); }
+  sign orientation(plane_id a, plane_id b, plane_id c) const {
+    const sign s = k_.orientation(a, b, c);
+    return s != sign::zero ? s : leading([&](int g) { return k_.orientation_at(g, {a, b, c}); }, 2).value;
+  }
+  bool transversal(plane_id a, plane_id b, plane_id c) const { return k_.transversal(a, b, c); }
+
+  std::optional<meeting> meet(const quadruple& q) const {
+    meeting m{k_.meeting_of(q), sign::zero, true};
+    m.closing = k_.closing(m.base);
+    if (m.closing == sign::zero) {
+      m.regular = false;
+      m.closing = leading([&](int g) { return k_.closing_at(g, planes(m)); }, 2).value;
+    }
+    return m;
+  }
+  quadruple planes(const meeting& m) const { return k_.planes(m.base); }
+  sign closing(const meeting& m) const { return m.closing; }
+  meeting start() const { return {k_.start(), sign::positive, true}; }
+
+  sign compare(const meeting& m, const meeting& n) const {
+    const quadruple q = planes(m);
+    const quadruple r = planes(n);
+    if (q == r) return sign::zero;
+    if (q == start_planes) return -compare(n, m);
+    if (r == start_planes) return after_start(m);
+    if (m.regular && n.regular) {
+      const sign s = k_.compare(m.base, n.base);
+      if (s != sign::zero) return s;
+    }
+    return leading([&](int g) { return k_.cross_at(g, q, r); }, m.regular && n.regular ? 1 : 0).value * m.closing * n.closing;
+  }
+
+  sign side(plane_id d, plane_id a, plane_id b, plane_id c, const meeting& m) const {
+    const sign corner = orientation(a, b, c);
+    const quadruple q{a, b, c, d};
+    const quadruple r = planes(m);
+    if (r == start_planes) return at_start(q) * corner;
+    if (m.regular && k_.transversal(a, b, c)) {
+      const sign s = k_.side(d, a, b, c, m.base);
+      if (s != sign::zero) return s;
+    }
+    return leading([&](int g) { return k_.cross_at(g, q, r); }, 0).value * m.closing * corner;
+  }
+
+  bisector_type bisector(plane_id a, plane_id b) const { return k_.bisector(a, b); }
+  sign compare(const bisector_type& e, const bisector_type& f) const { return k_.compare(e, f); }
+  sign compare_volume(std::span<const triple> s, std::span<const triple> t) const { return k_.compare_volume(s, t); }
+
+ private:
+  struct leading_sign {
+    sign value;
+    int grade;
+  };
+
+  // A coefficient of e^grade contains grade / 2 tilts.
+  sign at(int grade, sign coefficient) const { return mirrored_ && grade / 2 % 2 != 0 ? -coefficient : coefficient; }
+
+  // The first coefficient from grade `first` on that is not zero. All zero would mean that the fixed perturbation is
+  // itself in special position.
+  template <class Coefficient>
+  leading_sign leading(Coefficient coefficient, int first) const {
+    for (int g = first; g <= highest_grade; ++g)
+      if (const sign s = at(g, coefficient(g)); s != sign::zero) return {s, g};
+    throw invariant_error("the symbolic perturbation is degenerate: all coefficients are zero");
+  }
+
+  // D / S against a moment that is later than every multiple of e and earlier than every positive number.
+  sign after_start(const meeting& m) const {
+    const quadruple q = planes(m);
+    if (m.regular) return k_.compare(m.base, k_.start());
+    const auto d = leading([&](int g) { return k_.offset_at(g, q); }, 0);
+    const auto s = leading([&](int g) { return k_.closing_at(g, q); }, 2);
+    return d.grade <= s.grade && d.value * s.value == sign::positive ? sign::positive : sign::negative;
+  }
+
+  // Sign of L = D - t S at that moment: the coefficients in the order of size S0, D1, S1, D2, ...; D0 is zero, since
+  // the planes meet in a point at time zero.
+  sign at_start(const quadruple& q) const {
+    for (int g = 0; g <= 7; ++g) {
+      if (const sign d = g == 0 ? sign::zero : at(g, k_.offset_at(g, q)); d != sign::zero) return d;
+      if (const sign s = at(g, k_.closing_at(g, q)); s != sign::zero) return -s;
+    }
+    throw invariant_error("the symbolic perturbation is degenerate: four planes share a point at the start");
+  }
+
+  K k_;
+  bool mirrored_;
+};
+
+}  // namespace osteon

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// The rational kernel: speeds rounded down to multiples of 2^-64, everything else exact. Its skeleton is the exact
+/// one of weights that differ from the true ones by less than 2^-64 relative.
+
+#include "osteon/kernel/sqrt.hpp"
+
+namespace osteon {
+
+class rational_arithmetic : public integer_planes {
+ public:
+  static constexpr bool is_exact = true;
+
+  explicit rational_arithmetic(std::span<const moving_plane<integer>> planes) : integer_planes(planes) {
+    square_classes roots;
+    for (plane_id i = 0; i < size(); ++i) speeds_.push_back(roots.scaled(roots.add(dot(i, i), plane(i).weight), 64));
+  }
+
+  using integer_planes::decide;
+
+  /// Speeds in units of 2^-64: the unit of time changes, no sign does.
+  sign decide(const linear_form<integer>& f) const {
+    integer sum = 0;
+    for (int t = 0; t < f.size; ++t) sum += f.terms[t].coefficient * speeds_[f.terms[t].plane];
+    return sign_of(sum);
+  }
+
+  sign volume_order(std::span<const triple> s, std::span<const triple> t) const {
+    for (int attempt = 0;; ++attempt) {
+      const auto small = volume_direction(attempt);
+      rational difference = 0;
+      const auto term = [&](int factor) {
+        return [&, factor](const triple& abc, const std::array<integer, 3>& m, const integer& det) {
+          const integer v = m[0] * speeds_[abc[0]] + m[1] * speeds_[abc[1]] + m[2] * speeds_[abc[2]];
+          difference += rational(-factor * v * v * v, det * m[0] * m[1] * m[2]);
+        };
+      };
+      const auto normal = [this](plane_id i) { return plane(i).n; };
+      const std::array<integer, 3> c = {integer(small[0]), integer(small[1]), integer(small[2])};
+      if (visit_volume<integer>(s, c, normal, term(1)) && visit_volume<integer>(t, c, normal, term(-1))) return osteon::sign_of(difference);
+    }
+  }
+
+  /// floor(weight * |n| * 2^64).
+  const integer& speed(plane_id i) const { return speeds_[i]; }
+
+ private:
+  std::vector<integer> speeds_;
+};
+
+using rational_kernel = direct_kernel<rational_arithmetic>;
+
+inline rational_kernel make_rational_kernel(std::span<const moving_plane<integer>> planes) { return rational_kernel(rational_arithmetic(planes)); }
+
+}  // namespace osteon

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// Planes as machine numbers, for the double kernel and the filter.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "osteon/kernel/forms.hpp"
+#include "osteon/kernel/integer.hpp"
+#include "osteon/plane.hpp"
+
+namespace osteon {
+
+/// One plane, rounded: relative error of every number at most 2^-52 (GMP truncates). `exact` where nothing was lost and the
+/// speed is an integer: then all are integers, and so are the perturbations.
+struct rounded_plane {
+  std::array<double, 3> n;
+  double d;
+  double speed;
+  std::array<double, 3> u;
+  double delta;
+  bool exact;
+};
+
+/// x * 2^-shift rounded.
+inline double to_double(const integer& x, int shift) {
+  long exponent = 0;
+  const double mantissa = mpz_get_d_2exp(&exponent, x.backend().data());
+  return std::ldexp(mantissa, static_cast<int>(exponent) - shift);
+}
+
+inline int bit_length(const integer& x) { return x == 0 ? 0 : static_cast<int>(msb(abs(x))) + 1; }
+
+/// Rounds planes. Products of seven normals and an offset must neither overflow nor lose bits to underflow, so where
+/// numbers are long each plane is scaled by a power of two (K4: that changes no sign) and so are all offsets together
+/// (that changes the unit of length and time).
+inline std::vector<rounded_plane> round_planes(std::span<const moving_plane<integer>> planes) {
+  constexpr int longest = 100;  // bits of n, and of d beyond n: 8 * 100 + 2 * 100 < 1023
+  std::vector<int> shifts;
+  int offset_shift = 0;
+  for (const auto& p : planes) {
+    const int bits = std::max({bit_length(p.n[0]), bit_length(p.n[1]), bit_length(p.n[2])});
+    shifts.push_back(bits > longest ? bits : 0);
+    offset_shift = std::max(offset_shift, bit_length(p.d) - shifts.back() - 2 * longest);
+  }
+  std::vector<rounded_plane> result;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const auto& p = planes[i];
+    const auto tilt = perturbation::of(static_cast<plane_id>(i));
+    const integer squared = (p.n[0] * p.n[0] + p.n[1] * p.n[1] + p.n[2] * p.n[2]) * p.weight * p.weight;
+    rounded_plane r{};
+    for (int axis = 0; axis < 3; ++axis) {
+      r.n[axis] = to_double(p.n[axis], shifts[i]);
+      r.u[axis] = std::ldexp(tilt.u[axis], -shifts[i]);
+    }
+    r.d = to_double(p.d, shifts[i] + offset_shift);
+    r.delta = std::ldexp(tilt.delta, -shifts[i] - offset_shift);
+    r.speed = to_double(isqrt(squared << 128), 64 + shifts[i]);
+    const auto small = [](const integer& x) { return bit_length(x) <= 53; };
+    r.exact = shifts[i] == 0 && offset_shift == 0 && small(p.n[0]) && small(p.n[1]) && small(p.n[2]) && small(p.d) && is_square(squared) &&
+              small(isqrt(squared));
+    result.push_back(r);
+  }
+  return result;
+}
+
+}  // namespace osteon
