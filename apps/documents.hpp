@@ -43,13 +43,16 @@ inline json skeleton_document(const solid<integer>& of, const skeleton& s) {
   doc["format"] = "osteon skeleton 1";
   doc["scale"] = {{"ten", of.ten}, {"two", of.two}, {"shift", {of.shift[0].str(), of.shift[1].str(), of.shift[2].str()}}};
   doc["planes"] = json::array();
-  for (const auto& p : of.planes) doc["planes"].push_back({{"n", {p.n[0].str(), p.n[1].str(), p.n[2].str()}}, {"d", p.d.str()}, {"weight", p.weight.str()}});
+  for (const auto& p : of.planes)
+    doc["planes"].push_back({{"n", {p.n[0].str(), p.n[1].str(), p.n[2].str()}}, {"d", p.d.str()}, {"weight", p.weight.str()}});
   doc["nodes"] = json::array();
   for (const auto& n : s.nodes) {
     json node;
     if (n.vertex >= 0) {
       const auto& p = of.points[static_cast<std::size_t>(n.vertex)];
-      node = {{"vertex", of.input_points[static_cast<std::size_t>(n.vertex)] + 1}, {"time", 0.0}, {"point", to_input({rational(p[0]), rational(p[1]), rational(p[2])})}};
+      node = {{"vertex", of.input_points[static_cast<std::size_t>(n.vertex)] + 1},
+              {"time", 0.0},
+              {"point", to_input({rational(p[0]), rational(p[1]), rational(p[2])})}};
     } else {
       node = {{"event", event_names[static_cast<std::size_t>(n.event)]}, {"ambiguous", n.ambiguous}, {"planes", n.planes}};
       if (const auto at = where.meeting(n.planes)) {

@@ -34,8 +34,10 @@ namespace {
 
 enum status : int { done = 0, usage = 2, bad_input = 3, undecided = 4, broken = 5 };
 
-const std::map<std::string, split_preference> preferences = {
-    {"convex", split_preference::convex}, {"reflex", split_preference::reflex}, {"min-volume", split_preference::min_volume}, {"max-volume", split_preference::max_volume}};
+const std::map<std::string, split_preference> preferences = {{"convex", split_preference::convex},
+                                                             {"reflex", split_preference::reflex},
+                                                             {"min-volume", split_preference::min_volume},
+                                                             {"max-volume", split_preference::max_volume}};
 const std::map<std::string, saddle_rule> saddles = {
     {"convex", saddle_rule::convex}, {"reflex", saddle_rule::reflex}, {"slower", saddle_rule::slower}, {"faster", saddle_rule::faster}};
 
@@ -102,12 +104,16 @@ struct skeleton_command {
   void add_to(CLI::App& program) {
     CLI::App* c = program.add_subcommand("skeleton", "compute the straight skeleton of a polyhedron");
     input.add_to(*c);
-    c->add_option("--kernel", kernel, "numbers: sqrt (exact), rational (exact, speeds rounded to 2^-64), double (may fail)")->check(CLI::IsMember({"sqrt", "rational", "double"}))->capture_default_str();
+    c->add_option("--kernel", kernel, "numbers: sqrt (exact), rational (exact, speeds rounded to 2^-64), double (may fail)")
+        ->check(CLI::IsMember({"sqrt", "rational", "double"}))
+        ->capture_default_str();
     c->add_option("--prefer", prefer, "which way to split a vertex of high degree")->check(CLI::IsMember(names(preferences)))->capture_default_str();
-    c->add_option("--saddle", saddle, "which way to take at a saddle; convex with --prefer convex and max-volume, else reflex")->check(CLI::IsMember(names(saddles)));
+    c->add_option("--saddle", saddle, "which way to take at a saddle; convex with --prefer convex and max-volume, else reflex")
+        ->check(CLI::IsMember(names(saddles)));
     c->add_option("--output", output, "write the skeleton as JSON to this file");
     c->add_flag("--summary", summary, "print one JSON object with counts instead of the skeleton");
-    c->footer("Examples:\n  osteon skeleton bunny.obj --summary\n  osteon skeleton bunny.obj --prefer min-volume --saddle faster --output bunny.json");
+    c->footer(
+        "Examples:\n  osteon skeleton bunny.obj --summary\n  osteon skeleton bunny.obj --prefer min-volume --saddle faster --output bunny.json");
     c->callback([this] { run(); });
   }
 
@@ -160,7 +166,8 @@ struct splits_command {
     const solid<integer> s = input.read();
     const auto found = std::find(s.input_points.begin(), s.input_points.end(), vertex - 1);
     if (found == s.input_points.end())
-      throw input_error(input_fault::bad_index, static_cast<std::size_t>(std::max(vertex, 0)), fmt::format("{}: point {} is no vertex of the solid", input.file, vertex), "name a point where at least three planes meet");
+      throw input_error(input_fault::bad_index, static_cast<std::size_t>(std::max(vertex, 0)),
+                        fmt::format("{}: point {} is no vertex of the solid", input.file, vertex), "name a point where at least three planes meet");
     const auto& v = s.boundary.vertices[static_cast<std::size_t>(found - s.input_points.begin())];
     const int degree = static_cast<int>(v.facets.size());
     std::map<operations, bool> trees;  // whether all vertices stay near
@@ -175,7 +182,8 @@ struct splits_command {
     }
     const std::size_t valid = degree == 3 ? 1 : trees.size();
     if (summary) {
-      const json doc = {{"vertex", vertex}, {"degree", degree}, {"trees", std::to_string(catalan(degree - 2))}, {"valid", valid}, {"method", "enumeration"}};
+      const json doc = {
+          {"vertex", vertex}, {"degree", degree}, {"trees", std::to_string(catalan(degree - 2))}, {"valid", valid}, {"method", "enumeration"}};
       fmt::print("{}\n", doc.dump());
       return;
     }
@@ -207,7 +215,9 @@ int run(int argc, char** argv) {
   CLI::App program("Exact straight skeletons of polyhedra.", "osteon");
   program.require_subcommand(1);
   program.set_version_flag("--version", "osteon 0.1.0");
-  program.footer("Exit status: 0 done, 2 wrong usage, 3 bad input, 4 the kernel could not decide, 5 internal invariant violated.\nExample:\n  osteon skeleton model.obj --summary");
+  program.footer(
+      "Exit status: 0 done, 2 wrong usage, 3 bad input, 4 the kernel could not decide, 5 internal invariant violated.\nExample:\n  osteon skeleton "
+      "model.obj --summary");
   skeleton_command skeletons;
   skeletons.add_to(program);
   splits_command splits;

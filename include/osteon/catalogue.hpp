@@ -22,8 +22,8 @@ namespace osteon {
 /// The thesis's thirteen classes of events (3.9) and `other` for what fits none.
 enum class event_class : std::uint8_t { E1, E2, E3, E4, E5, E6, V_E, V_V_I, V_V_II, V_V_E_I, V_V_E_II, E_E, V_F, other };
 inline constexpr int event_classes = 14;
-inline constexpr std::array<std::string_view, event_classes> event_names = {
-    "E1", "E2", "E3", "E4", "E5", "E6", "V-E", "V-V-I", "V-V-II", "V-V-E-I", "V-V-E-II", "E-E", "V-F", "other"};
+inline constexpr std::array<std::string_view, event_classes> event_names = {"E1",    "E2",     "E3",      "E4",       "E5",  "E6",  "V-E",
+                                                                            "V-V-I", "V-V-II", "V-V-E-I", "V-V-E-II", "E-E", "V-F", "other"};
 
 namespace local {
 

@@ -20,27 +20,27 @@ struct error : std::runtime_error {
 
 /// What can be wrong with a solid or with the file it comes from.
 enum class input_fault : std::uint8_t {
-  unreadable,          ///< the file cannot be opened or read
-  empty,               ///< no points or no facets
-  not_obj,             ///< a line that no OBJ file has
-  bad_number,          ///< a coordinate that is no finite decimal number
-  absurd_size,         ///< a number, line or count beyond the stated limits
-  bad_index,           ///< a facet names a point that is not there
-  short_facet,         ///< a facet with fewer than three corners
-  repeated_corner,     ///< a facet names the same point twice in a row
-  repeated_point,      ///< two points with the same coordinates
-  unused_point,        ///< a point in no facet
-  not_closed,          ///< an edge with one facet
-  crowded_edge,        ///< an edge with three or more facets
-  inconsistent,        ///< two facets run along an edge in the same direction
-  inside_out,          ///< all normals point inwards, or a void is wound like a body
-  zero_area,           ///< a facet of area zero
-  not_planar,          ///< a facet whose points do not lie in one plane
-  folded,              ///< two facets that meet at an angle of zero
-  two_fans,            ///< two fans of facets share only a point
-  self_intersection,   ///< two facets meet where they should not
-  weight_not_positive, ///< the weight of a facet is not greater than zero
-  weight_conflict      ///< adjacent coplanar facets with different weights
+  unreadable,           ///< the file cannot be opened or read
+  empty,                ///< no points or no facets
+  not_obj,              ///< a line that no OBJ file has
+  bad_number,           ///< a coordinate that is no finite decimal number
+  absurd_size,          ///< a number, line or count beyond the stated limits
+  bad_index,            ///< a facet names a point that is not there
+  short_facet,          ///< a facet with fewer than three corners
+  repeated_corner,      ///< a facet names the same point twice in a row
+  repeated_point,       ///< two points with the same coordinates
+  unused_point,         ///< a point in no facet
+  not_closed,           ///< an edge with one facet
+  crowded_edge,         ///< an edge with three or more facets
+  inconsistent,         ///< two facets run along an edge in the same direction
+  inside_out,           ///< all normals point inwards, or a void is wound like a body
+  zero_area,            ///< a facet of area zero
+  not_planar,           ///< a facet whose points do not lie in one plane
+  folded,               ///< two facets that meet at an angle of zero
+  two_fans,             ///< two fans of facets share only a point
+  self_intersection,    ///< two facets meet where they should not
+  weight_not_positive,  ///< the weight of a facet is not greater than zero
+  weight_conflict       ///< adjacent coplanar facets with different weights
 };
 
 /// The input is not a solid. `element` is the point's, facet's or line's number, counted from one, or 0.

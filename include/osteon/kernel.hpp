@@ -47,9 +47,8 @@ struct plane_hash {
 ///  K3 compare is a total preorder: antisymmetric, transitive.
 ///  K4 nothing changes when a plane's equation is multiplied by a positive number.
 template <class K>
-concept kernel = requires(const K& k, plane_id a, plane_id b, plane_id c, plane_id d, const quadruple& q,
-                          const typename K::meeting& m, const typename K::bisector_type& e,
-                          std::span<const triple> tree) {
+concept kernel = requires(const K& k, plane_id a, plane_id b, plane_id c, plane_id d, const quadruple& q, const typename K::meeting& m,
+                          const typename K::bisector_type& e, std::span<const triple> tree) {
   // Whether every answer is the true one for the planes as given (for a rational kernel: for its rational speeds). An
   // inexact kernel may contradict itself; algorithms then end with undecided_error instead of an assertion.
   { K::exact } -> std::convertible_to<bool>;
@@ -101,9 +100,9 @@ concept kernel = requires(const K& k, plane_id a, plane_id b, plane_id c, plane_
 template <class K>
 concept graded_kernel = kernel<K> && requires(const K& k, int grade, const triple& t, const quadruple& q) {
   { k.orientation_at(grade, t) } -> std::same_as<sign>;
-  { k.offset_at(grade, q) } -> std::same_as<sign>;   // of D
-  { k.closing_at(grade, q) } -> std::same_as<sign>;  // of S
-  { k.cross_at(grade, q, q) } -> std::same_as<sign>; // of D(q1) S(q2) - D(q2) S(q1)
+  { k.offset_at(grade, q) } -> std::same_as<sign>;    // of D
+  { k.closing_at(grade, q) } -> std::same_as<sign>;   // of S
+  { k.cross_at(grade, q, q) } -> std::same_as<sign>;  // of D(q1) S(q2) - D(q2) S(q1)
   // A meeting without the promise that S is not zero at grade 0.
   { k.meeting_of(q) } -> std::same_as<typename K::meeting>;
 };

@@ -19,10 +19,10 @@ template <class Int>
 struct mesh {
   std::vector<std::array<exact_number<Int>, 3>> points;
   std::vector<std::vector<int>> facets;
-  std::vector<Int> weights;                ///< speed of each facet, empty for all 1
-  std::vector<std::size_t> point_lines;    ///< lines of the file, or empty
+  std::vector<Int> weights;              ///< speed of each facet, empty for all 1
+  std::vector<std::size_t> point_lines;  ///< lines of the file, or empty
   std::vector<std::size_t> facet_lines;
-  std::string file;                        ///< for messages; empty for memory
+  std::string file;  ///< for messages; empty for memory
 
   /// "FILE:12: facet 3" or "facet 3", counted from one.
   std::string name_facet(std::size_t f) const { return name("facet", f, facet_lines); }
@@ -45,7 +45,9 @@ mesh<Int> make_mesh(const std::vector<std::array<double, 3>>& points, std::vecto
     auto& exact = m.points.emplace_back();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto x = from_double<Int>(p[axis]);
-      if (!x) throw input_error(input_fault::bad_number, m.points.size(), m.name_point(m.points.size() - 1) + " has a coordinate that is not finite", "give finite coordinates");
+      if (!x)
+        throw input_error(input_fault::bad_number, m.points.size(), m.name_point(m.points.size() - 1) + " has a coordinate that is not finite",
+                          "give finite coordinates");
       exact[axis] = *x;
     }
   }

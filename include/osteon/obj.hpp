@@ -52,8 +52,10 @@ inline bool next_line(std::istream& in, std::string& line, std::size_t& number, 
     }
     if (c == '\0' || line.size() >= longest_line) {
       const std::string where = file + ":" + std::to_string(number + 1) + ": ";
-      if (c == '\0') throw input_error(input_fault::not_obj, number + 1, where + "a zero byte, so this is not a text file", "give a Wavefront OBJ file");
-      throw input_error(input_fault::absurd_size, number + 1, where + "a line longer than a mebibyte", "break the line with a backslash, or give a Wavefront OBJ file");
+      if (c == '\0')
+        throw input_error(input_fault::not_obj, number + 1, where + "a zero byte, so this is not a text file", "give a Wavefront OBJ file");
+      throw input_error(input_fault::absurd_size, number + 1, where + "a line longer than a mebibyte",
+                        "break the line with a backslash, or give a Wavefront OBJ file");
     }
     line += c;
   }
@@ -64,7 +66,8 @@ inline bool next_line(std::istream& in, std::string& line, std::size_t& number, 
 
 /// Statements that carry no geometry of polygons.
 inline bool ignored(std::string_view word) {
-  static constexpr std::array<std::string_view, 16> words = {"vt", "vn", "vp", "g", "o", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj"};
+  static constexpr std::array<std::string_view, 16> words = {"vt",     "vn",     "vp",     "g",     "o",        "s",        "mg",  "usemtl",
+                                                             "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj"};
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -101,7 +104,8 @@ mesh<Int> read_obj(std::istream& in, const std::string& file) {
           case number_fault::too_long:
             fail(input_fault::absurd_size, quote(word) + " is beyond 1e400 or longer than 1000 digits", "scale the model");
             break;
-          case number_fault::none: break;
+          case number_fault::none:
+            break;
         }
         if (count < 3) point[static_cast<std::size_t>(count)] = value;
       }
@@ -113,15 +117,21 @@ mesh<Int> read_obj(std::istream& in, const std::string& file) {
         long index = 0;
         const auto [end, ec] = std::from_chars(word.data(), word.data() + word.size(), index);
         const bool whole = ec == std::errc() && (end == word.data() + word.size() || *end == '/');
-        if (!whole || index == 0) fail(input_fault::bad_index, quote(word) + " is not the number of a point", "count points from 1, or from -1 backwards");
+        if (!whole || index == 0)
+          fail(input_fault::bad_index, quote(word) + " is not the number of a point", "count points from 1, or from -1 backwards");
         const auto points = static_cast<long>(m.points.size());
-        if (index < -points) fail(input_fault::bad_index, "there is no point " + std::to_string(index) + " before this line", "name one of the " + std::to_string(points) + " points");
-        if (index > static_cast<long>(most_points)) fail(input_fault::bad_index, "there is no point " + std::to_string(index), "name a point of the file");
+        if (index < -points)
+          fail(input_fault::bad_index, "there is no point " + std::to_string(index) + " before this line",
+               "name one of the " + std::to_string(points) + " points");
+        if (index > static_cast<long>(most_points))
+          fail(input_fault::bad_index, "there is no point " + std::to_string(index), "name a point of the file");
         facet.push_back(static_cast<int>(index > 0 ? index - 1 : points + index));
         if (++corners == most_corners) fail(input_fault::absurd_size, "more than sixty million corners", "give a smaller model");
       }
-      if (facet.size() < 3) fail(input_fault::short_facet, "a facet with " + std::to_string(facet.size()) + " corners", "give at least three, or delete the line");
-    } else if (keyword == "l" || keyword == "p" || keyword == "curv" || keyword == "curv2" || keyword == "surf" || keyword == "cstype" || keyword == "deg") {
+      if (facet.size() < 3)
+        fail(input_fault::short_facet, "a facet with " + std::to_string(facet.size()) + " corners", "give at least three, or delete the line");
+    } else if (keyword == "l" || keyword == "p" || keyword == "curv" || keyword == "curv2" || keyword == "surf" || keyword == "cstype" ||
+               keyword == "deg") {
       fail(input_fault::not_obj, quote(keyword) + " is no polygon", "export the model as polygons only");
     } else {
       fail(input_fault::not_obj, quote(keyword) + " is no statement of an OBJ file", "give a Wavefront OBJ file");

@@ -19,9 +19,7 @@ struct moving_plane {
   Int weight = 1;
 
   friend bool operator==(const moving_plane&, const moving_plane&) = default;
-  friend bool operator<(const moving_plane& a, const moving_plane& b) {
-    return std::tie(a.n, a.d, a.weight) < std::tie(b.n, b.d, b.weight);
-  }
+  friend bool operator<(const moving_plane& a, const moving_plane& b) { return std::tie(a.n, a.d, a.weight) < std::tie(b.n, b.d, b.weight); }
 };
 
 }  // namespace osteon

@@ -99,8 +99,10 @@ class propagation {
       quadruple some = {f[0], f[1], f[2], -1};
       std::sort(some.begin(), some.begin() + 3);
       result_.nodes.push_back({static_cast<int>(v), some, event_class::other, false, {}});
-      if (f.size() == 3) add_corners(corner_of, {{0, 1, 2}}, {});
-      else if (is_majority(corner_of)) add_majority(corner_of);
+      if (f.size() == 3)
+        add_corners(corner_of, {{0, 1, 2}}, {});
+      else if (is_majority(corner_of))
+        add_majority(corner_of);
       else {
         const split_tree t = splitter<K>(k_, corner_at(corner_of)).best(options_.prefer);
         add_corners(corner_of, t.vertices, t.edges);
@@ -404,13 +406,17 @@ class propagation {
       front_.attach(at_l, far, whole.ends[far], whole.third[far], whole.inside[far]);
     }
     if (at_k >= 0) {
-      if (vertex_l >= 0) join(at_k, vertex_l, l, side(local::far_k, pair.l));
-      else join(at_k, vertex_k, k, side(local::far_k, pair.k));
+      if (vertex_l >= 0)
+        join(at_k, vertex_l, l, side(local::far_k, pair.l));
+      else
+        join(at_k, vertex_k, k, side(local::far_k, pair.k));
       changed.push_back(at_k);
     }
     if (at_l >= 0) {
-      if (vertex_k >= 0) join(at_l, vertex_k, k, side(local::far_l, pair.k));
-      else join(at_l, vertex_l, l, side(local::far_l, pair.l));
+      if (vertex_k >= 0)
+        join(at_l, vertex_k, k, side(local::far_l, pair.k));
+      else
+        join(at_l, vertex_l, l, side(local::far_l, pair.l));
       changed.push_back(at_l);
     }
     const local::piece kind = local::piece_at(after, pair, local::label(pair, local::segment, n.small, true));

@@ -54,16 +54,15 @@ bool runs_inside(const K& k, plane_id p, plane_id q, plane_id third, int end) {
 template <kernel K>
 bool on_segment(const K& k, const segment& e, plane_id x, const typename K::meeting& m) {
   for (int s = 0; s < 2; ++s)
-    if (e.third[s] >= 0 && e.third[s] != x &&
-        (generic_side(k, e.third[s], e.planes[0], e.planes[1], x, m) == sign::positive) != e.inside[s])
+    if (e.third[s] >= 0 && e.third[s] != x && (generic_side(k, e.third[s], e.planes[0], e.planes[1], x, m) == sign::positive) != e.inside[s])
       return false;
   return true;
 }
 
 /// Looks from the corner (l,i,j) along the line (l,i), to the inner or outer side of j, for the first edge of the facet
 /// of plane l, given by its edges: whether the corner lies on that edge's inner side and so in the facet; nothing where no
-/// edge is met. Requires that the corner lies on none of the edges. A fourth plane that passes through the corner must be named. The line of sight is moved a little to the inner
-/// side of i, so that it meets no end of an edge. Linear in the number of edges.
+/// edge is met. Requires that the corner lies on none of the edges. A fourth plane that passes through the corner must be named. The line of sight is
+/// moved a little to the inner side of i, so that it meets no end of an edge. Linear in the number of edges.
 template <kernel K, class Segments>
 std::optional<bool> look(const K& k, const Segments& edges_of_l, plane_id l, plane_id i, plane_id j, bool into_j, const typename K::meeting& m,
                          plane_id fourth = -1) {

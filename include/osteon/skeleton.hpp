@@ -17,10 +17,10 @@ namespace osteon {
 /// moving edge. Counts are the thesis's (4.4). Places and times follow from the planes; see locate.hpp of the kernels.
 struct skeleton {
   struct node {
-    int vertex;          ///< the input vertex, or -1
-    quadruple planes;    ///< the planes that meet, ascending; of an input vertex the first three of its corner and -1
-    event_class event;   ///< of an event; meaningless for an input vertex
-    bool ambiguous;      ///< the event had two admissible outcomes
+    int vertex;         ///< the input vertex, or -1
+    quadruple planes;   ///< the planes that meet, ascending; of an input vertex the first three of its corner and -1
+    event_class event;  ///< of an event; meaningless for an input vertex
+    bool ambiguous;     ///< the event had two admissible outcomes
     std::vector<int> arcs;
   };
   struct arc {

@@ -30,10 +30,10 @@ template <class Int>
 struct solid {
   std::vector<moving_plane<Int>> planes;
   osteon::boundary boundary;
-  std::vector<vec<Int>> points;      ///< of the boundary's vertices
-  std::vector<int> input_points;     ///< their numbers in the mesh, from 0
+  std::vector<vec<Int>> points;        ///< of the boundary's vertices
+  std::vector<int> input_points;       ///< their numbers in the mesh, from 0
   std::vector<plane_id> facet_planes;  ///< by facet of the mesh
-  int facets = 0;                    ///< after merging coplanar neighbours, components counted separately
+  int facets = 0;                      ///< after merging coplanar neighbours, components counted separately
   vec<Int> shift;
   int ten = 0;
   int two = 0;
@@ -103,19 +103,24 @@ class solid_builder {
   std::string edge_name(int a, int b) const { return "the edge between points " + std::to_string(a + 1) + " and " + std::to_string(b + 1); }
 
   void check_corners() const {
-    if (m_.points.empty() || m_.facets.empty()) throw input_error(input_fault::empty, 0, "there are no " + std::string(m_.points.empty() ? "points" : "facets"), "give points and facets");
+    if (m_.points.empty() || m_.facets.empty())
+      throw input_error(input_fault::empty, 0, "there are no " + std::string(m_.points.empty() ? "points" : "facets"), "give points and facets");
     for (std::size_t f = 0; f < m_.facets.size(); ++f) {
       const auto& loop = m_.facets[f];
-      if (loop.size() < 3) fail(input_fault::short_facet, f, m_.name_facet(f) + " has " + std::to_string(loop.size()) + " corners", "give at least three");
+      if (loop.size() < 3)
+        fail(input_fault::short_facet, f, m_.name_facet(f) + " has " + std::to_string(loop.size()) + " corners", "give at least three");
       for (std::size_t i = 0; i < loop.size(); ++i) {
         if (loop[i] < 0 || static_cast<std::size_t>(loop[i]) >= m_.points.size())
-          fail(input_fault::bad_index, f, m_.name_facet(f) + " names point " + std::to_string(loop[i] + 1) + " of " + std::to_string(m_.points.size()), "name a point that is there");
+          fail(input_fault::bad_index, f,
+               m_.name_facet(f) + " names point " + std::to_string(loop[i] + 1) + " of " + std::to_string(m_.points.size()),
+               "name a point that is there");
         if (loop[i] == loop[(i + 1) % loop.size()])
           fail(input_fault::repeated_corner, f, m_.name_facet(f) + " names point " + std::to_string(loop[i] + 1) + " twice in a row", "name it once");
       }
     }
     for (std::size_t f = 0; f < m_.weights.size(); ++f)
-      if (m_.weights[f] <= 0) fail(input_fault::weight_not_positive, f, m_.name_facet(f) + " has a weight that is not positive", "give a weight greater than zero");
+      if (m_.weights[f] <= 0)
+        fail(input_fault::weight_not_positive, f, m_.name_facet(f) + " has a weight that is not positive", "give a weight greater than zero");
   }
 
   // Coordinates to integers with one common scale, moved to the middle of their box: that shortens offsets.
@@ -153,7 +158,8 @@ class solid_builder {
     for (std::size_t i = 1; i < order.size(); ++i)
       if (points_[order[i - 1]] == points_[order[i]])
         fail(input_fault::repeated_point, static_cast<std::size_t>(order[i]),
-             m_.name_point(static_cast<std::size_t>(order[i])) + " is at the same place as point " + std::to_string(order[i - 1] + 1), "use one of them for both");
+             m_.name_point(static_cast<std::size_t>(order[i])) + " is at the same place as point " + std::to_string(order[i - 1] + 1),
+             "use one of them for both");
     std::vector<bool> used(points_.size());
     for (const auto& f : m_.facets)
       for (const int p : f) used[static_cast<std::size_t>(p)] = true;
@@ -179,12 +185,17 @@ class solid_builder {
       const int b = half_edges_[half_edges_[h].next].from;
       const auto& both = by_ends[key(a, b)];
       const auto f = static_cast<std::size_t>(half_edges_[h].facet);
-      if (both.size() == 1) fail(input_fault::not_closed, f, m_.name_facet(f) + ": " + edge_name(a, b) + " has no second facet, so the surface is not closed", "close the hole");
+      if (both.size() == 1)
+        fail(input_fault::not_closed, f, m_.name_facet(f) + ": " + edge_name(a, b) + " has no second facet, so the surface is not closed",
+             "close the hole");
       if (both.size() > 2)
-        fail(input_fault::crowded_edge, f, m_.name_facet(f) + ": " + edge_name(a, b) + " has " + std::to_string(both.size()) + " facets", "use separate points for the parts that touch there");
+        fail(input_fault::crowded_edge, f, m_.name_facet(f) + ": " + edge_name(a, b) + " has " + std::to_string(both.size()) + " facets",
+             "use separate points for the parts that touch there");
       const int other = both[0] == h ? both[1] : both[0];
       if (half_edges_[other].from == a)
-        fail(input_fault::inconsistent, f, m_.name_facet(f) + ": " + edge_name(a, b) + " runs in the same direction in facet " + std::to_string(half_edges_[other].facet + 1), "reverse one of the two facets");
+        fail(input_fault::inconsistent, f,
+             m_.name_facet(f) + ": " + edge_name(a, b) + " runs in the same direction in facet " + std::to_string(half_edges_[other].facet + 1),
+             "reverse one of the two facets");
       half_edges_[h].twin = other;
       half_edges_[other].twin = h;
     }
@@ -203,7 +214,8 @@ class solid_builder {
     std::map<moving_plane<Int>, plane_id> ids;
     for (std::size_t f = 0; f < m_.facets.size(); ++f) {
       vec<Int> n = area(f);
-      if (n == vec<Int>{Int(0), Int(0), Int(0)}) fail(input_fault::zero_area, f, m_.name_facet(f) + " has area zero", "delete it and join its neighbours");
+      if (n == vec<Int>{Int(0), Int(0), Int(0)})
+        fail(input_fault::zero_area, f, m_.name_facet(f) + " has area zero", "delete it and join its neighbours");
       Int divisor = n[0];
       for (const int axis : {1, 2}) divisor = gcd(divisor, n[axis]);
       for (Int& x : n) x /= divisor < 0 ? Int(-divisor) : divisor;
@@ -221,7 +233,8 @@ class solid_builder {
       const auto& q = s_.planes[s_.facet_planes[half_edges_[h.twin].facet]];
       const auto f = static_cast<std::size_t>(h.facet);
       const std::string pair = m_.name_facet(f) + " and facet " + std::to_string(half_edges_[h.twin].facet + 1);
-      if (p.n == q.n && p.weight != q.weight) fail(input_fault::weight_conflict, f, pair + " lie in one plane but have different weights", "give both the same weight");
+      if (p.n == q.n && p.weight != q.weight)
+        fail(input_fault::weight_conflict, f, pair + " lie in one plane but have different weights", "give both the same weight");
       if (p.n == vec<Int>{-q.n[0], -q.n[1], -q.n[2]}) fail(input_fault::folded, f, pair + " are folded onto each other", "delete both");
     }
   }
@@ -240,7 +253,8 @@ class solid_builder {
     const double unit = std::pow(10.0, s_.ten) * std::pow(2.0, s_.two);
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.3g", farthest / length * unit);
-    fail(input_fault::not_planar, f, m_.name_facet(f) + " is not planar: point " + std::to_string(worst + 1) + " is off by " + text.data(), "give --triangulate to cut such facets");
+    fail(input_fault::not_planar, f, m_.name_facet(f) + " is not planar: point " + std::to_string(worst + 1) + " is off by " + text.data(),
+         "give --triangulate to cut such facets");
   }
 
   // Ear clipping of the projected facet; what cannot be cut (self-intersecting) is left to the checks.
@@ -289,7 +303,9 @@ class solid_builder {
       const int p = half_edges_[h].from;
       first_[p] = h;
       if (++fans[p] > 1)
-        fail(input_fault::two_fans, static_cast<std::size_t>(p), m_.name_point(static_cast<std::size_t>(p)) + " joins two fans of facets that share nothing else", "split it: move one fan a little away, with a point of its own");
+        fail(input_fault::two_fans, static_cast<std::size_t>(p),
+             m_.name_point(static_cast<std::size_t>(p)) + " joins two fans of facets that share nothing else",
+             "split it: move one fan a little away, with a point of its own");
     }
   }
 
@@ -302,7 +318,9 @@ class solid_builder {
     }
     const auto bad = find_self_intersection<Int>({points_, m_.facets, normals, offsets});
     if (bad)
-      fail(input_fault::self_intersection, static_cast<std::size_t>(bad->facet), m_.name_facet(static_cast<std::size_t>(bad->facet)) + " is met by " + edge_name(bad->a, bad->b), "separate the two parts, or unite them into one surface");
+      fail(input_fault::self_intersection, static_cast<std::size_t>(bad->facet),
+           m_.name_facet(static_cast<std::size_t>(bad->facet)) + " is met by " + edge_name(bad->a, bad->b),
+           "separate the two parts, or unite them into one surface");
   }
 
   // Every shell must enclose material if an even number of others encloses it, and a void otherwise.
@@ -342,9 +360,12 @@ class solid_builder {
         example = static_cast<std::size_t>(shells[i][0]);
       }
     }
-    if (wrong == shells.size()) fail(input_fault::inside_out, example, m_.name_facet(example) + " and all others are inside-out: their normals point inwards", "give --flip to reverse all facets");
+    if (wrong == shells.size())
+      fail(input_fault::inside_out, example, m_.name_facet(example) + " and all others are inside-out: their normals point inwards",
+           "give --flip to reverse all facets");
     if (wrong > 0)
-      fail(input_fault::inside_out, example, m_.name_facet(example) + " and the shell it belongs to are inside-out", "reverse that shell: outer shells run counter-clockwise seen from outside, voids seen from inside");
+      fail(input_fault::inside_out, example, m_.name_facet(example) + " and the shell it belongs to are inside-out",
+           "reverse that shell: outer shells run counter-clockwise seen from outside, voids seen from inside");
   }
 
   int first_half_edge(int f) const {
@@ -378,7 +399,8 @@ class solid_builder {
         }
         if (distance <= 0) continue;
         const auto axes = projection(plane.n);
-        const auto where = locate_in_polygon<Int>(points_, m_.facets[f], {p[axes[0]] * speed + r[axes[0]] * distance, p[axes[1]] * speed + r[axes[1]] * distance, speed}, axes);
+        const auto where = locate_in_polygon<Int>(
+            points_, m_.facets[f], {p[axes[0]] * speed + r[axes[0]] * distance, p[axes[1]] * speed + r[axes[1]] * distance, speed}, axes);
         if (where == location::border) clean = false;
         if (where == location::inside) inside = !inside;
       }

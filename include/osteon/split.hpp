@@ -99,7 +99,8 @@ class splitter {
   /// make a vertex too, which is infinitely far away; a perturbed kernel places it.
   splitter(const K& k, corner c, bool bounded = true) : k_(k), c_(std::move(c)), start_(k.start()), bounded_(bounded) {
     if (c_.degree() > greatest_split_degree)
-      throw unsupported_error("not yet: a vertex of degree " + std::to_string(c_.degree()) + " (at most " + std::to_string(greatest_split_degree) + ")");
+      throw unsupported_error("not yet: a vertex of degree " + std::to_string(c_.degree()) + " (at most " + std::to_string(greatest_split_degree) +
+                              ")");
     std::vector<plane_id> sorted = c_.facets;
     std::sort(sorted.begin(), sorted.end());
     if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
@@ -247,7 +248,8 @@ class splitter {
   bool in_facet(plane_id l, const std::vector<segment>& facet, plane_id i, plane_id j) const {
     for (const auto& [first, second] : {std::pair(i, j), std::pair(j, i)}) {
       std::vector<segment> across;
-      std::copy_if(facet.begin(), facet.end(), std::back_inserter(across), [&](const segment& e) { return e.other(l) != first && meet(l, first, e.other(l)); });
+      std::copy_if(facet.begin(), facet.end(), std::back_inserter(across),
+                   [&](const segment& e) { return e.other(l) != first && meet(l, first, e.other(l)); });
       for (const bool into : {true, false})
         if (const auto seen = look(k_, across, l, first, second, into, start_)) return *seen;
     }
@@ -260,10 +262,14 @@ class splitter {
 
   bool better(const split_tree& s, const split_tree& t, split_preference preference) const {
     switch (preference) {
-      case split_preference::convex: return s.convex_edges() > t.convex_edges();
-      case split_preference::reflex: return s.convex_edges() < t.convex_edges();
-      case split_preference::min_volume: return k_.compare_volume(planes(s), planes(t)) == sign::negative;
-      case split_preference::max_volume: return k_.compare_volume(planes(s), planes(t)) == sign::positive;
+      case split_preference::convex:
+        return s.convex_edges() > t.convex_edges();
+      case split_preference::reflex:
+        return s.convex_edges() < t.convex_edges();
+      case split_preference::min_volume:
+        return k_.compare_volume(planes(s), planes(t)) == sign::negative;
+      case split_preference::max_volume:
+        return k_.compare_volume(planes(s), planes(t)) == sign::positive;
     }
     return false;
   }

@@ -22,8 +22,8 @@ namespace osteon {
 class wavefront {
  public:
   struct vertex {
-    triple planes;               ///< ascending
-    std::array<int, 6> edges;    ///< by slot, -1 for none
+    triple planes;             ///< ascending
+    std::array<int, 6> edges;  ///< by slot, -1 for none
     int arc;
     bool alive;
   };
@@ -31,7 +31,7 @@ class wavefront {
     std::array<int, 2> ends;
     int sheet;
     bool alive;
-    std::array<int, 2> place;    ///< in the lists of its two facets
+    std::array<int, 2> place;  ///< in the lists of its two facets
   };
 
   explicit wavefront(plane_id planes) : by_plane_(planes) {}
@@ -86,9 +86,7 @@ class wavefront {
     vertices_[v].edges[slot(position(vertices_[v], third), inside)] = e;
   }
 
-  static int position(const vertex& v, plane_id p) {
-    return static_cast<int>(std::find(v.planes.begin(), v.planes.end(), p) - v.planes.begin());
-  }
+  static int position(const vertex& v, plane_id p) { return static_cast<int>(std::find(v.planes.begin(), v.planes.end(), p) - v.planes.begin()); }
 
   /// The vertex of three planes (ascending), or -1. Three planes meet once, so there is at most one.
   int find_vertex(const triple& planes) const {
@@ -112,7 +110,9 @@ class wavefront {
   bool empty() const { return by_corner_.empty(); }
 
  private:
-  static std::uint64_t line(plane_id p, plane_id q) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(p)) << 32U | static_cast<std::uint32_t>(q); }
+  static std::uint64_t line(plane_id p, plane_id q) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(p)) << 32U | static_cast<std::uint32_t>(q);
+  }
 
   std::vector<vertex> vertices_;
   std::vector<edge> edges_;

@@ -5,8 +5,8 @@
 /// The double kernel: everything in machine numbers. Fast, and may be wrong; algorithms end with undecided_error when
 /// its answers contradict each other.
 
-#include "osteon/kernel/estimate.hpp"
 #include "osteon/kernel/direct.hpp"
+#include "osteon/kernel/estimate.hpp"
 #include "osteon/kernel/volume.hpp"
 
 namespace osteon {
@@ -41,9 +41,7 @@ class double_arithmetic : public estimated_planes {
   }
 
  private:
-  double dot(plane_id a, plane_id b) const {
-    return plane(a).n[0] * plane(b).n[0] + plane(a).n[1] * plane(b).n[1] + plane(a).n[2] * plane(b).n[2];
-  }
+  double dot(plane_id a, plane_id b) const { return plane(a).n[0] * plane(b).n[0] + plane(a).n[1] * plane(b).n[1] + plane(a).n[2] * plane(b).n[2]; }
   double cosine(plane_id a, plane_id b) const { return dot(a, b) / std::sqrt(dot(a, a) * dot(b, b)); }
 };
 

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/kernel/estimate.hpp"
 #include "osteon/kernel/direct.hpp"
+#include "osteon/kernel/estimate.hpp"
 
 namespace osteon {
 

@@ -56,7 +56,8 @@ class locator {
   const integer& n(plane_id i, int axis) const { return planes_[i].n[axis]; }
 
   integer minor(plane_id i, plane_id j, plane_id k) const {
-    return n(i, 0) * (n(j, 1) * n(k, 2) - n(j, 2) * n(k, 1)) + n(i, 1) * (n(j, 2) * n(k, 0) - n(j, 0) * n(k, 2)) + n(i, 2) * (n(j, 0) * n(k, 1) - n(j, 1) * n(k, 0));
+    return n(i, 0) * (n(j, 1) * n(k, 2) - n(j, 2) * n(k, 1)) + n(i, 1) * (n(j, 2) * n(k, 0) - n(j, 0) * n(k, 2)) +
+           n(i, 2) * (n(j, 0) * n(k, 1) - n(j, 1) * n(k, 0));
   }
 
   integer speed(plane_id i, unsigned precision) const {

@@ -98,8 +98,7 @@ class sqrt_arithmetic : public integer_planes {
       c[r] = m[r] * roots_.weight(abc[r]);
       square[r] = c[r] * c[r] * roots_.radicand(abc[r]);
     }
-    for (int r = 0; r < 3; ++r)
-      sum[{abc[r], -1, -1}] += factor * rational(c[r] * (square[r] + 3 * square[(r + 1) % 3] + 3 * square[(r + 2) % 3]));
+    for (int r = 0; r < 3; ++r) sum[{abc[r], -1, -1}] += factor * rational(c[r] * (square[r] + 3 * square[(r + 1) % 3] + 3 * square[(r + 2) % 3]));
     triple all = abc;
     std::sort(all.begin(), all.end());
     sum[all] += factor * rational(6 * c[0] * c[1] * c[2]);
