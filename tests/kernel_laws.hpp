@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <numeric>
 #include <optional>
+#include <ostream>
 #include <random>
 #include <span>
 #include <string>
@@ -25,6 +26,13 @@
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/rational.hpp"
 #include "osteon/kernel/sqrt.hpp"
+
+namespace osteon {
+
+/// Signs in failure messages.
+inline void PrintTo(sign s, std::ostream* out) { *out << (s == sign::zero ? "zero" : s == sign::positive ? "positive" : "negative"); }
+
+}  // namespace osteon
 
 namespace osteon::laws {
 
@@ -516,7 +524,8 @@ TYPED_TEST_P(kernel_laws, SideFlipsAtTheMeeting) {
       for (int s = 0, n = 0; s < 4; ++s)
         if (s != last) t[n++] = q[s];
       const auto tau = k.meet(q);
-      if (tau) {
+      // A perturbed kernel is not asked for what is zero by its planes alone.
+      if (tau && !TestFixture::strict) {
         EXPECT_EQ(k.side(q[last], t[0], t[1], t[2], *tau), sign::zero) << "a vertex at its meeting";
       }
       for (const auto& m : meetings) {

@@ -87,8 +87,30 @@ constexpr bool is_corner(std::uint8_t g) {
   return true;
 }
 
+/// The edge of a corner on the line of the two planes other than number t (0..2), inside or outside that plane.
+constexpr piece corner_piece(std::uint8_t g, unsigned t, bool inside_t) {
+  const unsigned base = inside_t ? 1U << t : 0U;
+  const unsigned i = 1U << (t == 0 ? 1U : 0U);
+  const unsigned j = 1U << (t == 2 ? 1U : 2U);
+  const auto at = [g](unsigned x) { return (g >> x & 1U) != 0; };
+  if (at(base | i) != at(base | j) || at(base) == at(base | i | j)) return piece::none;
+  return at(base | i) ? piece::reflex : piece::convex;
+}
+
+/// How often the product of the three half-spaces occurs when a corner is written as a sum of products: 1 for `and` and
+/// `or`, -1 for the mixed corners, -2 for majority. Volumes are sums over corners with these weights.
+constexpr int product_weight(std::uint8_t g) {
+  int sum = 0;
+  for (unsigned x = 0; x < 8; ++x)
+    if ((g >> x & 1U) != 0) sum += std::popcount(x) % 2 != 0 ? 1 : -1;
+  return sum;
+}
+
 /// The majority corner: a vertex of three planes with six edges.
 inline constexpr std::uint8_t majority = 0b11101000;
+
+/// The nine corners: and, or, x(y+z), x+yz, majority.
+inline constexpr std::array<std::uint8_t, 9> corners = {0x80, 0xFE, 0xA8, 0xC8, 0xE0, 0xEA, 0xEC, 0xF8, majority};
 
 /// Whether f, on all cells but `missing`, never loses solid on the way into a plane.
 constexpr bool monotone(state f, cell missing) {

@@ -19,7 +19,7 @@ struct exact_number {
   int two = 0;
 };
 
-/// The longest number taken: digits of the mantissa, and the greatest absolute exponent of ten.
+/// The numbers taken: at most so many digits without leading and trailing zeros, and 0 or between 10^-400 and 10^400.
 inline constexpr int longest_mantissa = 1000;
 inline constexpr int greatest_exponent = 400;
 
@@ -66,9 +66,9 @@ number_fault read_decimal(std::string_view text, exact_number<Int>& result) {
       continue;
     }
     if (significant > 0)
-      for (; zeros > 0 && significant <= longest_mantissa; --zeros) push(0);
+      for (; zeros > 0 && significant < longest_mantissa; --zeros) push(0);
     zeros = 0;
-    if (significant > longest_mantissa) return number_fault::too_long;
+    if (significant == longest_mantissa) return number_fault::too_long;
     push(static_cast<unsigned>(c - '0'));
   }
   flush();
@@ -86,7 +86,7 @@ number_fault read_decimal(std::string_view text, exact_number<Int>& result) {
   }
   if (i != text.size()) return number_fault::malformed;
   if (significant == 0) ten = 0;
-  if (ten > greatest_exponent || ten < -greatest_exponent - longest_mantissa || significant + ten > greatest_exponent) return number_fault::too_long;
+  if (significant + ten > greatest_exponent || significant + ten <= -greatest_exponent) return number_fault::too_long;
   result.mantissa = minus ? Int(-mantissa) : mantissa;
   result.ten = static_cast<int>(ten);
   result.two = 0;

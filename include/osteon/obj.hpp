@@ -37,31 +37,63 @@ inline std::string_view next_word(std::string_view& line) {
   return word;
 }
 
-/// One logical line without its comment; a backslash at the end continues it. Returns false at the end of the file.
-inline bool next_line(std::istream& in, std::string& line, std::size_t& number, const std::string& file) {
-  line.clear();
-  bool any = false;
-  for (char c = 0; in.get(c);) {
-    any = true;
-    if (c == '\n') {
-      ++number;
-      while (!line.empty() && line.back() == '\r') line.pop_back();
-      if (line.empty() || line.back() != '\\') break;
-      line.back() = ' ';
-      continue;
+/// The lines of a text: ends of any system, without comments, joined where a backslash ends one.
+class line_reader {
+ public:
+  line_reader(std::istream& in, const std::string& file) : in_(in), file_(file) {}
+
+  /// False at the end of the file.
+  bool next() {
+    text_.clear();
+    number_ = lines_ + 1;
+    bool any = false;
+    bool comment = false;
+    std::size_t length = 0;
+    for (char c = 0; in_.get(c);) {
+      any = true;
+      if (c == '\0') fail(input_fault::not_obj, "a zero byte, so this is not a text file", "give a Wavefront OBJ file");
+      if (c == '\r' || c == '\n') {
+        if (c == '\r' && in_.peek() == '\n') in_.get();
+        ++lines_;
+        if (comment || text_.empty() || text_.back() != '\\') return true;  // a comment's last backslash may be a path's
+        text_.back() = ' ';
+        continue;
+      }
+      if (++length > longest_line)
+        fail(input_fault::absurd_size, "a line longer than a mebibyte", "give a Wavefront OBJ file, whose lines are at most that long");
+      comment = comment || c == '#';
+      if (!comment) text_ += c;
+      if (text_ == "\xEF\xBB\xBF" && lines_ == 0) text_.clear();  // UTF-8's byte order mark
     }
-    if (c == '\0' || line.size() >= longest_line) {
-      const std::string where = file + ":" + std::to_string(number + 1) + ": ";
-      if (c == '\0')
-        throw input_error(input_fault::not_obj, number + 1, where + "a zero byte, so this is not a text file", "give a Wavefront OBJ file");
-      throw input_error(input_fault::absurd_size, number + 1, where + "a line longer than a mebibyte",
-                        "break the line with a backslash, or give a Wavefront OBJ file");
-    }
-    line += c;
+    return any;
   }
-  if (in.eof() && any && (line.empty() || in.gcount() == 0)) ++number;
-  if (const auto comment = line.find('#'); comment != std::string::npos) line.resize(comment);
-  return any;
+
+  std::string_view text() const { return text_; }
+  std::size_t number() const { return number_; }  ///< of the first line of those joined, from 1
+
+  [[noreturn]] void fail(input_fault fault, const std::string& what, const std::string& cure) const {
+    throw input_error(fault, number_, file_ + ":" + std::to_string(number_) + ": " + what, cure);
+  }
+
+ private:
+  std::istream& in_;
+  const std::string& file_;
+  std::string text_;
+  std::size_t lines_ = 0;
+  std::size_t number_ = 0;
+};
+
+/// A word for a message: short, and nothing in it that a terminal would obey.
+inline std::string quote(std::string_view word) {
+  std::string text = "'";
+  for (const char c : word.substr(0, 40)) text += c < ' ' || c > '~' ? '?' : c;
+  return text + (word.size() > 40 ? "...'" : "'");
+}
+
+/// Whether text is the rest of a corner after its point: "", "/7", "/7/8", "//8". The numbers are not looked at.
+inline bool texture_and_normal(std::string_view text) {
+  return text.empty() ||
+         (text[0] == '/' && std::count(text.begin(), text.end(), '/') <= 2 && text.find_first_not_of("/-0123456789") == std::string_view::npos);
 }
 
 /// Statements that carry no geometry of polygons.
@@ -79,46 +111,44 @@ template <class Int>
 mesh<Int> read_obj(std::istream& in, const std::string& file) {
   mesh<Int> m;
   m.file = file;
-  std::string text;
-  std::size_t number = 0;
   std::size_t corners = 0;
-  while (obj::next_line(in, text, number, file)) {
-    std::string_view line = text;
-    const auto fail = [&](input_fault fault, const std::string& what, const std::string& cure) {
-      throw input_error(fault, number, file + ":" + std::to_string(number) + ": " + what, cure);
-    };
-    const auto quote = [](std::string_view word) { return "'" + std::string(word.substr(0, 40)) + (word.size() > 40 ? "..." : "") + "'"; };
+  obj::line_reader lines(in, file);
+  const auto fail = [&](input_fault fault, const std::string& what, const std::string& cure) { lines.fail(fault, what, cure); };
+  while (lines.next()) {
+    std::string_view line = lines.text();
     const std::string_view keyword = obj::next_word(line);
     if (keyword.empty() || obj::ignored(keyword)) continue;
     if (keyword == "v") {
       if (m.points.size() == most_points) fail(input_fault::absurd_size, "more than ten million points", "give a smaller model");
       auto& point = m.points.emplace_back();
-      m.point_lines.push_back(number);
+      m.point_lines.push_back(lines.number());
       int count = 0;
       for (std::string_view word = obj::next_word(line); !word.empty(); word = obj::next_word(line), ++count) {
         exact_number<Int> value;
         switch (read_decimal(word, value)) {
           case number_fault::malformed:
-            fail(input_fault::bad_number, quote(word) + " is not a finite decimal number", "write coordinates like -1.25 or 3e-2");
+            fail(input_fault::bad_number, obj::quote(word) + " is not a finite decimal number", "write coordinates like -1.25 or 3e-2");
             break;
           case number_fault::too_long:
-            fail(input_fault::absurd_size, quote(word) + " is beyond 1e400 or longer than 1000 digits", "scale the model");
+            fail(input_fault::absurd_size, obj::quote(word) + " is beyond 1e400, below 1e-400 or longer than 1000 digits",
+                 "scale or round the model");
             break;
           case number_fault::none:
             break;
         }
         if (count < 3) point[static_cast<std::size_t>(count)] = value;
       }
-      if (count < 3) fail(input_fault::bad_number, "a point with " + std::to_string(count) + " coordinates", "give x, y and z");
+      if (count < 3 || count == 5 || count > 7)  // a weight or a colour may follow
+        fail(input_fault::bad_number, "a point with " + std::to_string(count) + " coordinates", "give x, y and z");
     } else if (keyword == "f") {
       auto& facet = m.facets.emplace_back();
-      m.facet_lines.push_back(number);
+      m.facet_lines.push_back(lines.number());
       for (std::string_view word = obj::next_word(line); !word.empty(); word = obj::next_word(line)) {
         long index = 0;
         const auto [end, ec] = std::from_chars(word.data(), word.data() + word.size(), index);
-        const bool whole = ec == std::errc() && (end == word.data() + word.size() || *end == '/');
+        const bool whole = ec == std::errc() && obj::texture_and_normal(word.substr(static_cast<std::size_t>(end - word.data())));
         if (!whole || index == 0)
-          fail(input_fault::bad_index, quote(word) + " is not the number of a point", "count points from 1, or from -1 backwards");
+          fail(input_fault::bad_index, obj::quote(word) + " is not the number of a point", "count points from 1, or from -1 backwards");
         const auto points = static_cast<long>(m.points.size());
         if (index < -points)
           fail(input_fault::bad_index, "there is no point " + std::to_string(index) + " before this line",
@@ -132,13 +162,15 @@ mesh<Int> read_obj(std::istream& in, const std::string& file) {
         fail(input_fault::short_facet, "a facet with " + std::to_string(facet.size()) + " corners", "give at least three, or delete the line");
     } else if (keyword == "l" || keyword == "p" || keyword == "curv" || keyword == "curv2" || keyword == "surf" || keyword == "cstype" ||
                keyword == "deg") {
-      fail(input_fault::not_obj, quote(keyword) + " is no polygon", "export the model as polygons only");
+      fail(input_fault::not_obj, obj::quote(keyword) + " is no polygon", "export the model as polygons only");
     } else {
-      fail(input_fault::not_obj, quote(keyword) + " is no statement of an OBJ file", "give a Wavefront OBJ file");
+      fail(input_fault::not_obj, obj::quote(keyword) + " is no statement of an OBJ file", "give a Wavefront OBJ file");
     }
   }
-  if (in.bad()) throw input_error(input_fault::unreadable, number, file + ": reading failed", "check the file");
-  if (m.points.empty() && m.facets.empty()) throw input_error(input_fault::empty, 0, file + ": the file is empty", "give points (v) and facets (f)");
+  if (in.bad() || !in.eof()) throw input_error(input_fault::unreadable, lines.number(), file + ": reading failed", "check the file");
+  if (m.points.empty() && m.facets.empty())
+    throw input_error(input_fault::empty, 0, file + (lines.number() == 1 ? ": the file is empty" : ": there are neither points nor facets"),
+                      "give points (v) and facets (f)");
   if (m.facets.empty()) throw input_error(input_fault::empty, 0, file + ": there are no facets", "give facets (f)");
   if (m.points.empty()) throw input_error(input_fault::empty, 0, file + ": there are no points", "give points (v)");
   return m;

@@ -161,14 +161,14 @@ class propagation {
     return sheet;
   }
 
-  // A vertex that begins at the newest node.
-  int add_vertex(triple planes) {
+  // A vertex that begins at the newest node; its corner is known or set with its sheets.
+  int add_vertex(triple planes, std::uint8_t corner = 0) {
     std::sort(planes.begin(), planes.end());
     if (front_.find_vertex(planes) >= 0) broken_invariant<K>("three planes meet in one vertex at most");
     const int source = static_cast<int>(result_.nodes.size()) - 1;
     const int id = front_.add_vertex(planes, static_cast<int>(result_.arcs.size()));
     result_.nodes[source].arcs.push_back(static_cast<int>(result_.arcs.size()));
-    result_.arcs.push_back({source, -1, planes, {}});
+    result_.arcs.push_back({source, -1, planes, corner, {}});
     return id;
   }
 
@@ -176,7 +176,22 @@ class propagation {
     auto& sheets = result_.arcs[v.arc].sheets;
     for (const int e : v.edges)
       if (e >= 0) sheets.push_back(front_.edges()[e].sheet);
+    if (result_.arcs[v.arc].corner == 0) result_.arcs[v.arc].corner = corner_of(v);
     if (sheets.size() != 3 && sheets.size() != 6) broken_invariant<K>("a vertex has three edges, or six at a majority corner");
+  }
+
+  // The corner with the edges of a vertex.
+  std::uint8_t corner_of(const wavefront::vertex& v) const {
+    for (const std::uint8_t g : local::corners) {
+      bool fits = true;
+      for (int slot = 0; slot < 6 && fits; ++slot) {
+        const int e = v.edges[slot];
+        const auto kind = e < 0 ? local::piece::none : (front_.edges()[e].convex ? local::piece::convex : local::piece::reflex);
+        fits = local::corner_piece(g, static_cast<unsigned>(slot / 2), slot % 2 != 0) == kind;
+      }
+      if (fits) return g;
+    }
+    broken_invariant<K>("the edges of a vertex make one of the nine corners");
   }
 
   void end_arc(int arc) {
@@ -346,8 +361,10 @@ class propagation {
       end_arc(front_.vertices()[v].arc);
       front_.remove_vertex(v);
     }
-    for (unsigned r = 0; r < 4; ++r)
-      if (local::is_corner(local::corner_at(after, r, !inside(n.small, r)))) made[r] = add_vertex(omit(n.q, r));
+    for (unsigned r = 0; r < 4; ++r) {
+      const auto corner = local::corner_at(after, r, !inside(n.small, r));
+      if (local::is_corner(corner)) made[r] = add_vertex(omit(n.q, r), corner);
+    }
 
     std::vector<int> changed;
     for (unsigned p = 0; p < 6; ++p) relink(n, p, after, before, made, changed);

@@ -2,14 +2,17 @@
 #pragma once
 
 /// \file
-/// Finds an edge and a facet of a closed surface that meet where they should not, exactly.
+/// Finds where a closed surface meets itself although it should not, exactly.
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cmath>
+#include <cstdint>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,7 +20,8 @@
 
 namespace osteon {
 
-/// A closed surface of planar facets: what the check looks at. Facet f lies in the plane normals[f] . x = offsets[f].
+/// A closed surface of planar facets: what the check looks at. Facet f lies in the plane normals[f] . x = offsets[f], its normal
+/// has the direction of its area vector. Every edge belongs to two facets, once in each direction.
 template <class Int>
 struct surface_view {
   std::span<const vec<Int>> points;
@@ -26,118 +30,364 @@ struct surface_view {
   std::span<const Int> offsets;
 };
 
-/// An edge (two points) and a facet that meet outside their common corners and edges.
+/// Where a surface meets itself.
 struct bad_contact {
-  int a, b;
+  enum class kind : std::uint8_t {
+    edge,    ///< edge (a,b) meets the facet outside their common corners and edges
+    corner,  ///< the facet's loop passes the point a more than once, and its inside overlaps or turns over there
+    chord    ///< the facet and facet `other` pass through each other between their common corners a and b
+  };
+  kind what;
   int facet;
+  int a;
+  int b = -1;
+  int other = -1;
 };
 
 namespace detail {
 
-/// Whether two edges in one plane meet although they should not: anywhere but in a common end.
+/// A right shift after which doubles can hold x, and products of two such.
 template <class Int>
-bool edges_meet(const surface_view<Int>& s, int a, int b, int p, int q, const std::array<int, 2>& axes) {
-  if ((a == p && b == q) || (a == q && b == p)) return false;
-  const auto at = [&](int i) { return point2<Int>{s.points[i][axes[0]], s.points[i][axes[1]], Int(1)}; };
-  const auto on = [&](int u, int v, int w) {  // w on the closed segment uv
-    const std::array<int, 3> two = {u, v, u};
-    return turn(s.points[u], s.points[v], at(w), axes) == sign::zero &&
-           locate_in_polygon<Int>(s.points, std::span<const int>(two).first(2), at(w), axes) == location::border;
-  };
-  if (a == p || a == q) return on(a, b, a == p ? q : p) || on(p, q, b);
-  if (b == p || b == q) return on(a, b, b == p ? q : p) || on(p, q, a);
-  const sign tp = turn(s.points[a], s.points[b], at(p), axes);
-  const sign tq = turn(s.points[a], s.points[b], at(q), axes);
-  const sign ta = turn(s.points[p], s.points[q], at(a), axes);
-  const sign tb = turn(s.points[p], s.points[q], at(b), axes);
-  if (tp * tq == sign::negative && ta * tb == sign::negative) return true;
-  return on(a, b, p) || on(a, b, q) || on(p, q, a) || on(p, q, b);
+unsigned double_shift(const Int& x) {
+  unsigned shift = 0;
+  while (std::abs(static_cast<double>(Int(x >> shift))) > 0x1p480) shift += 256;
+  return shift;
 }
 
-/// Whether edge (a,b) meets facet f where it should not.
+/// Points as doubles times 2^-shift, by a monotone function.
 template <class Int>
-bool meets(const surface_view<Int>& s, int a, int b, int f) {
-  const vec<Int>& n = s.normals[f];
-  const Int ha = dot(n, s.points[a]) - s.offsets[f];
-  const Int hb = dot(n, s.points[b]) - s.offsets[f];
-  const sign sa = sign_of(ha);
-  const sign sb = sign_of(hb);
-  if (sa == sb && sa != sign::zero) return false;
-  const auto axes = projection(n);
-  const std::vector<int>& loop = s.facets[f];
-  const auto corner = [&](int p) { return std::find(loop.begin(), loop.end(), p) != loop.end(); };
-  const auto where = [&](const point2<Int>& p) { return locate_in_polygon<Int>(s.points, loop, p, axes); };
-  const auto at = [&](int p) { return point2<Int>{s.points[p][axes[0]], s.points[p][axes[1]], Int(1)}; };
-  if (sa != sign::zero && sb != sign::zero) {
-    const Int wa = ha < 0 ? Int(-ha) : ha;
-    const Int wb = hb < 0 ? Int(-hb) : hb;
-    const auto mix = [&](int axis) -> Int { return s.points[a][axis] * wb + s.points[b][axis] * wa; };
-    return where({mix(axes[0]), mix(axes[1]), wa + wb}) != location::outside;
+std::vector<std::array<double, 3>> approximate(std::span<const vec<Int>> points, unsigned& shift) {
+  shift = 0;
+  std::vector<std::array<double, 3>> result;
+  for (const auto& p : points)
+    for (const Int& x : p) shift = std::max(shift, double_shift(x));
+  for (const auto& p : points) {
+    auto& q = result.emplace_back();
+    for (std::size_t axis = 0; axis < 3; ++axis) q[axis] = static_cast<double>(Int(p[axis] >> shift));
   }
-  if (sa == sign::zero && sb == sign::zero) {
-    bool own = false;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const int p = loop[i];
-      const int q = loop[(i + 1) % loop.size()];
-      own = own || (p == a && q == b) || (p == b && q == a);
-      if (edges_meet(s, a, b, p, q, axes)) return true;
-    }
-    const auto middle = [&](int axis) -> Int { return s.points[a][axis] + s.points[b][axis]; };
-    return !own && where({middle(axes[0]), middle(axes[1]), Int(2)}) != location::outside;
-  }
-  const int touching = sa == sign::zero ? a : b;
-  return !corner(touching) && where(at(touching)) != location::outside;
+  return result;
 }
+
+struct box {
+  std::array<double, 3> lo, hi;
+
+  box(std::span<const std::array<double, 3>> points, std::span<const int> ids) : lo(points[ids[0]]), hi(lo) {
+    for (const int p : ids)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        lo[axis] = std::min(lo[axis], points[p][axis]);
+        hi[axis] = std::max(hi[axis], points[p][axis]);
+      }
+  }
+  bool overlaps(const box& o) const {
+    return lo[0] <= o.hi[0] && o.lo[0] <= hi[0] && lo[1] <= o.hi[1] && o.lo[1] <= hi[1] && lo[2] <= o.hi[2] && o.lo[2] <= hi[2];
+  }
+};
+
+/// See find_self_intersection.
+template <class Int>
+class intersection_search {
+ public:
+  explicit intersection_search(const surface_view<Int>& s) : s_(s), points_(approximate(s.points, shift_)) {}
+
+  std::optional<bad_contact> run() {
+    for (int f = 0; f < static_cast<int>(s_.facets.size()); ++f) {
+      if (s_.facets[f].size() == 3) continue;
+      check_loop(f);
+      if (!found_) check_corners(f);
+      if (found_) return found_;
+    }
+    sweep();
+    if (!found_) check_chords();
+    return found_;
+  }
+
+ private:
+  using kind = bad_contact::kind;
+  struct edge {
+    int a, b;
+    std::array<int, 2> facets;
+  };
+  // A facet's plane in doubles: the side of a point farther away than `error` is certain.
+  struct rough_plane {
+    std::array<double, 3> n;
+    double d;
+    double error;
+  };
+
+  point2<Int> at(int p, const std::array<int, 2>& axes) const { return {s_.points[p][axes[0]], s_.points[p][axes[1]], Int(1)}; }
+  point2<Int> middle(int a, int b, const std::array<int, 2>& axes) const {
+    return {s_.points[a][axes[0]] + s_.points[b][axes[0]], s_.points[a][axes[1]] + s_.points[b][axes[1]], Int(2)};
+  }
+  location where(const point2<Int>& p, int f, const std::array<int, 2>& axes) const {
+    return locate_in_polygon<Int>(s_.points, s_.facets[f], p, axes);
+  }
+  bool is_corner(int p, int f) const {
+    const auto& loop = s_.facets[f];
+    return std::find(loop.begin(), loop.end(), p) != loop.end();
+  }
+
+  // Whether two edges in one plane meet although they should not: anywhere but in a common end.
+  bool edges_meet(int a, int b, int p, int q, const std::array<int, 2>& axes) const {
+    if ((a == p && b == q) || (a == q && b == p)) return false;
+    for (const int axis : axes)
+      if (std::max(points_[a][axis], points_[b][axis]) < std::min(points_[p][axis], points_[q][axis]) ||
+          std::max(points_[p][axis], points_[q][axis]) < std::min(points_[a][axis], points_[b][axis]))
+        return false;
+    const auto on = [&](int u, int v, int w) {  // w on the closed segment uv
+      const std::array<int, 2> two = {u, v};
+      return locate_in_polygon<Int>(s_.points, two, at(w, axes), axes) == location::border;
+    };
+    if (a == p || a == q) return on(a, b, a == p ? q : p) || on(p, q, b);
+    if (b == p || b == q) return on(a, b, b == p ? q : p) || on(p, q, a);
+    const auto side = [&](int u, int v, int w) { return turn(s_.points[u], s_.points[v], at(w, axes), axes); };
+    const sign across = side(a, b, p) * side(a, b, q);
+    if (across == sign::positive) return false;
+    if (across == sign::negative && side(p, q, a) * side(p, q, b) == sign::negative) return true;
+    return on(a, b, p) || on(a, b, q) || on(p, q, a) || on(p, q, b);
+  }
+
+  // The loop of one facet, swept along the longer of its axes.
+  void check_loop(int f) {
+    const auto& loop = s_.facets[f];
+    const auto axes = projection(s_.normals[f]);
+    const box all(points_, loop);
+    const int along = all.hi[axes[0]] - all.lo[axes[0]] >= all.hi[axes[1]] - all.lo[axes[1]] ? axes[0] : axes[1];
+    struct stretch {
+      double lo, hi;
+      int a, b;
+    };
+    std::vector<stretch> sides;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const int a = loop[i];
+      const int b = loop[(i + 1) % loop.size()];
+      sides.push_back({std::min(points_[a][along], points_[b][along]), std::max(points_[a][along], points_[b][along]), a, b});
+    }
+    std::sort(sides.begin(), sides.end(), [](const stretch& x, const stretch& y) { return std::tie(x.lo, x.a, x.b) < std::tie(y.lo, y.a, y.b); });
+    for (auto x = sides.begin(); x != sides.end(); ++x)
+      for (auto y = x + 1; y != sides.end() && y->lo <= x->hi; ++y)
+        if (edges_meet(x->a, x->b, y->a, y->b, axes)) {
+          found_ = bad_contact{kind::edge, f, x->a, x->b};
+          return;
+        }
+  }
+
+  // At points that the loop passes more than once, counter-clockwise: inside and outside must alternate, and slits (edges that
+  // the loop runs along in both directions) lie inside. Together with the absence of crossings this makes the loop the
+  // oriented boundary of one region.
+  void check_corners(int f) {
+    const auto& loop = s_.facets[f];
+    const auto axes = projection(s_.normals[f]);
+    std::vector<int> visits(loop.size());
+    std::iota(visits.begin(), visits.end(), 0);
+    std::sort(visits.begin(), visits.end(), [&](int i, int j) { return loop[i] < loop[j]; });
+    const int n = static_cast<int>(loop.size());
+    for (int i = 0, j = 0; i < n; i = j) {
+      const int v = loop[visits[i]];
+      std::map<int, unsigned> ends;  // bit 0: the loop leaves along this edge, bit 1: it arrives
+      for (j = i; j < n && loop[visits[j]] == v; ++j) {
+        ends[loop[(visits[j] + 1) % n]] |= 1U;
+        ends[loop[(visits[j] + n - 1) % n]] |= 2U;
+      }
+      if (j == i + 1) continue;
+      const auto direction = [&](int w) {
+        return std::array<Int, 2>{s_.points[w][axes[0]] - s_.points[v][axes[0]], s_.points[w][axes[1]] - s_.points[v][axes[1]]};
+      };
+      std::vector<std::pair<int, unsigned>> order(ends.begin(), ends.end());
+      std::sort(order.begin(), order.end(), [&](const auto& x, const auto& y) {
+        const auto u = direction(x.first);
+        const auto w = direction(y.first);
+        const bool lower_u = u[1] < 0 || (u[1] == 0 && u[0] < 0);
+        const bool lower_w = w[1] < 0 || (w[1] == 0 && w[0] < 0);
+        return lower_u != lower_w ? lower_w : u[0] * w[1] > u[1] * w[0];
+      });
+      const auto last = std::find_if(order.rbegin(), order.rend(), [](const auto& e) { return e.second != 3; });
+      bool inside = last == order.rend() || last->second == 1;
+      for (const auto& [w, how] : order) {
+        if (inside == (how == 1)) found_ = bad_contact{kind::corner, f, v};
+        if (how != 3) inside = how == 1;
+      }
+    }
+  }
+
+  sign side(int p, int f) const {
+    const auto& [n, d, error] = planes_[f];
+    const auto& x = points_[p];
+    const double h = n[0] * x[0] + n[1] * x[1] + n[2] * x[2] - d;
+    if (h > error) return sign::positive;
+    if (h < -error) return sign::negative;
+    return is_corner(p, f) ? sign::zero : sign_of(Int(dot(s_.normals[f], s_.points[p]) - s_.offsets[f]));
+  }
+
+  bool meets(const edge& e, int f) const {
+    if (e.facets[0] == f || e.facets[1] == f) return false;  // seen by check_loop
+    const sign sa = side(e.a, f);
+    const sign sb = side(e.b, f);
+    if (sa == sb && sa != sign::zero) return false;
+    const auto axes = projection(s_.normals[f]);
+    if (sa != sign::zero && sb != sign::zero) {
+      const auto height = [&](int p) -> Int {
+        const Int h = dot(s_.normals[f], s_.points[p]) - s_.offsets[f];
+        return h < 0 ? Int(-h) : h;
+      };
+      const Int wa = height(e.a);
+      const Int wb = height(e.b);
+      const auto mix = [&](int axis) -> Int { return s_.points[e.a][axis] * wb + s_.points[e.b][axis] * wa; };
+      return where({mix(axes[0]), mix(axes[1]), wa + wb}, f, axes) != location::outside;
+    }
+    if (sa == sign::zero && sb == sign::zero) {
+      const auto& loop = s_.facets[f];
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        if (edges_meet(e.a, e.b, loop[i], loop[(i + 1) % loop.size()], axes)) return true;
+      return where(middle(e.a, e.b, axes), f, axes) != location::outside;
+    }
+    const int touching = sa == sign::zero ? e.a : e.b;
+    return !is_corner(touching, f) && where(at(touching, axes), f, axes) != location::outside;
+  }
+
+  void make_edges() {
+    struct directed {
+      int low, high, facet;
+      bool operator<(const directed& o) const { return std::tie(low, high, facet) < std::tie(o.low, o.high, o.facet); }
+    };
+    std::vector<directed> all;
+    for (int f = 0; f < static_cast<int>(s_.facets.size()); ++f) {
+      const auto& loop = s_.facets[f];
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const auto [low, high] = std::minmax(loop[i], loop[(i + 1) % loop.size()]);
+        all.push_back({low, high, f});
+      }
+    }
+    std::sort(all.begin(), all.end());
+    for (std::size_t i = 0; i + 1 < all.size(); i += 2) edges_.push_back({all[i].low, all[i].high, {all[i].facet, all[i + 1].facet}});
+  }
+
+  void make_planes() {
+    double reach = 0;
+    for (const auto& p : points_)
+      for (const double x : p) reach = std::max(reach, std::abs(x));
+    for (std::size_t f = 0; f < s_.facets.size(); ++f) {
+      unsigned shift = 0;
+      for (const Int& x : s_.normals[f]) shift = std::max(shift, double_shift(x));
+      auto& p = planes_.emplace_back();
+      double greatest = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        p.n[axis] = static_cast<double>(Int(s_.normals[f][axis] >> shift));
+        greatest = std::max(greatest, std::abs(p.n[axis]));
+      }
+      p.d = static_cast<double>(Int(s_.offsets[f] >> (shift + shift_)));
+      p.error = greatest * reach * 1e-14;  // four conversions, six roundings: at most 20 ulp of this product
+    }
+  }
+
+  // Edges against facets, by their boxes along the axis with the fewest overlaps.
+  void sweep() {
+    make_edges();
+    make_planes();
+    std::vector<box> facet_boxes;
+    std::vector<box> edge_boxes;
+    for (const auto& loop : s_.facets) facet_boxes.emplace_back(points_, loop);
+    for (const edge& e : edges_) edge_boxes.emplace_back(points_, std::array<int, 2>{e.a, e.b});
+    std::size_t axis = 0;
+    std::size_t fewest = 0;
+    for (std::size_t candidate = 0; candidate < 3; ++candidate) {
+      std::vector<double> starts;
+      for (const box& b : edge_boxes) starts.push_back(b.lo[candidate]);
+      std::sort(starts.begin(), starts.end());
+      std::size_t overlaps = 0;
+      for (const box& b : edge_boxes)
+        overlaps += static_cast<std::size_t>(std::upper_bound(starts.begin(), starts.end(), b.hi[candidate]) -
+                                             std::lower_bound(starts.begin(), starts.end(), b.lo[candidate]));
+      if (candidate > 0 && overlaps >= fewest) continue;
+      axis = candidate;
+      fewest = overlaps;
+    }
+    struct item {
+      box b;
+      int id;
+    };
+    const auto sorted = [axis](const std::vector<box>& boxes) {
+      std::vector<item> items;
+      for (std::size_t i = 0; i < boxes.size(); ++i) items.push_back({boxes[i], static_cast<int>(i)});
+      std::sort(items.begin(), items.end(),
+                [axis](const item& x, const item& y) { return std::tie(x.b.lo[axis], x.id) < std::tie(y.b.lo[axis], y.id); });
+      return items;
+    };
+    const auto facets = sorted(facet_boxes);
+    const auto edges = sorted(edge_boxes);
+    const auto test = [&](const item& e, const item& f) {
+      if (!e.b.overlaps(f.b) || !meets(edges_[e.id], f.id)) return false;
+      found_ = bad_contact{kind::edge, f.id, edges_[e.id].a, edges_[e.id].b};
+      return true;
+    };
+    // Of a pair that overlaps along the axis, one starts within the other.
+    auto begin = edges.begin();
+    for (const item& f : facets) {
+      while (begin != edges.end() && begin->b.lo[axis] < f.b.lo[axis]) ++begin;
+      for (auto e = begin; e != edges.end() && e->b.lo[axis] <= f.b.hi[axis]; ++e)
+        if (test(*e, f)) return;
+    }
+    begin = facets.begin();
+    for (const item& e : edges) {
+      while (begin != facets.end() && begin->b.lo[axis] <= e.b.lo[axis]) ++begin;
+      for (auto f = begin; f != facets.end() && f->b.lo[axis] <= e.b.hi[axis]; ++f)
+        if (test(e, *f)) return;
+    }
+  }
+
+  // Facets that pass through each other from one common corner to another, where no edge meets the other facet's inside.
+  void check_chords() {
+    std::vector<std::vector<int>> at_point(s_.points.size());
+    const int n = static_cast<int>(s_.facets.size());
+    for (int f = 0; f < n; ++f)
+      if (s_.facets[f].size() > 3)
+        for (const int p : s_.facets[f])
+          if (at_point[p].empty() || at_point[p].back() != f) at_point[p].push_back(f);
+    std::vector<std::pair<int, int>> met(s_.facets.size(), {-1, -1});  // the facet that met it last, and where first
+    for (int f = 0; f < n; ++f) {
+      if (s_.facets[f].size() == 3) continue;
+      const auto axes = projection(s_.normals[f]);
+      std::vector<std::pair<int, int>> common;  // with facet, corner
+      for (const int p : s_.facets[f])
+        for (auto g = std::upper_bound(at_point[p].begin(), at_point[p].end(), f); g != at_point[p].end(); ++g) {
+          auto& [with, first] = met[*g];
+          if (with == f && first != p) common.insert(common.end(), {{*g, first}, {*g, p}});
+          if (with != f) met[*g] = {f, p};
+        }
+      std::sort(common.begin(), common.end(), [this](const auto& x, const auto& y) {
+        return x.first != y.first ? x.first < y.first : s_.points[x.second] < s_.points[y.second];  // in order along the common line
+      });
+      common.erase(std::unique(common.begin(), common.end()), common.end());
+      std::map<std::pair<int, int>, bool> inside;
+      for (std::size_t i = 1; i < common.size(); ++i) {
+        const auto [g, b] = common[i];
+        if (common[i - 1].first != g) continue;
+        const int a = common[i - 1].second;
+        const auto [known, fresh] = inside.try_emplace({a, b});
+        if (fresh) known->second = where(middle(a, b, axes), f, axes) == location::inside;
+        const auto axes_g = projection(s_.normals[g]);
+        if (known->second && where(middle(a, b, axes_g), g, axes_g) == location::inside) {
+          found_ = bad_contact{kind::chord, f, a, b, g};
+          return;
+        }
+      }
+    }
+  }
+
+  const surface_view<Int>& s_;
+  unsigned shift_ = 0;
+  std::vector<std::array<double, 3>> points_;
+  std::vector<edge> edges_;
+  std::vector<rough_plane> planes_;
+  std::optional<bad_contact> found_;
+};
 
 }  // namespace detail
 
-/// The first bad contact found, or nothing. Boxes are swept along x; every decision is exact. About n log n plus the
-/// number of box overlaps, each linear in its facet.
+/// The first bad contact found, or nothing. Boxes are swept along an axis; doubles only decide what they are certain of. About
+/// n log n plus the number of overlaps along that axis, those of boxes linear in their facet.
 template <class Int>
 std::optional<bad_contact> find_self_intersection(const surface_view<Int>& s) {
-  struct box {
-    std::array<double, 3> lo, hi;  // conversion is monotone, so overlapping boxes stay overlapping
-  };
-  const auto box_of = [&](std::span<const int> ids) {
-    constexpr double big = std::numeric_limits<double>::infinity();
-    box r{{big, big, big}, {-big, -big, -big}};
-    for (const int p : ids)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto x = static_cast<double>(s.points[p][axis]);
-        r.lo[axis] = std::min(r.lo[axis], x);
-        r.hi[axis] = std::max(r.hi[axis], x);
-      }
-    return r;
-  };
-  struct item {
-    box b;
-    int facet;  // -1: an edge
-    std::array<int, 2> ends;
-  };
-  std::vector<item> items;
-  for (int f = 0; f < static_cast<int>(s.facets.size()); ++f) {
-    const auto& loop = s.facets[f];
-    items.push_back({box_of(loop), f, {}});
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const std::array<int, 2> ends = {loop[i], loop[(i + 1) % loop.size()]};
-      if (ends[0] < ends[1]) items.push_back({box_of(ends), -1, ends});
-    }
-  }
-  std::sort(items.begin(), items.end(), [](const item& x, const item& y) { return x.b.lo[0] < y.b.lo[0]; });
-  std::array<std::vector<const item*>, 2> active;  // edges, facets
-  for (const item& i : items) {
-    const bool facet = i.facet >= 0;
-    auto& others = active[facet ? 0 : 1];
-    std::erase_if(others, [&](const item* o) { return o->b.hi[0] < i.b.lo[0]; });
-    for (const item* o : others) {
-      if (o->b.hi[1] < i.b.lo[1] || o->b.lo[1] > i.b.hi[1] || o->b.hi[2] < i.b.lo[2] || o->b.lo[2] > i.b.hi[2]) continue;
-      const item& edge = facet ? *o : i;
-      const int f = facet ? i.facet : o->facet;
-      if (detail::meets(s, edge.ends[0], edge.ends[1], f)) return bad_contact{edge.ends[0], edge.ends[1], f};
-    }
-    active[facet ? 1 : 0].push_back(&i);
-  }
-  return std::nullopt;
+  return detail::intersection_search<Int>(s).run();
 }
 
 }  // namespace osteon

@@ -27,6 +27,7 @@ struct skeleton {
     int source;
     int target;
     triple planes;            ///< ascending
+    std::uint8_t corner;      ///< the solid around the vertex, by octant (see local::corner_at)
     std::vector<int> sheets;  ///< 3, or 6 for a majority corner
   };
   struct sheet {

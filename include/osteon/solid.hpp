@@ -8,9 +8,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -112,12 +114,16 @@ class solid_builder {
       for (std::size_t i = 0; i < loop.size(); ++i) {
         if (loop[i] < 0 || static_cast<std::size_t>(loop[i]) >= m_.points.size())
           fail(input_fault::bad_index, f,
-               m_.name_facet(f) + " names point " + std::to_string(loop[i] + 1) + " of " + std::to_string(m_.points.size()),
+               m_.name_facet(f) + " names point " + std::to_string(long{loop[i]} + 1) + " of " + std::to_string(m_.points.size()),
                "name a point that is there");
         if (loop[i] == loop[(i + 1) % loop.size()])
           fail(input_fault::repeated_corner, f, m_.name_facet(f) + " names point " + std::to_string(loop[i] + 1) + " twice in a row", "name it once");
       }
     }
+    if (!m_.weights.empty() && m_.weights.size() != m_.facets.size())
+      fail(input_fault::weight_not_positive, std::min(m_.weights.size(), m_.facets.size()),
+           "there are " + std::to_string(m_.weights.size()) + " weights for " + std::to_string(m_.facets.size()) + " facets",
+           "give every facet one weight, or none any");
     for (std::size_t f = 0; f < m_.weights.size(); ++f)
       if (m_.weights[f] <= 0)
         fail(input_fault::weight_not_positive, f, m_.name_facet(f) + " has a weight that is not positive", "give a weight greater than zero");
@@ -126,14 +132,26 @@ class solid_builder {
   // Coordinates to integers with one common scale, moved to the middle of their box: that shortens offsets.
   void scale_points() {
     s_.ten = s_.two = 0;
+    long most_ten = 0;
+    long most_two = 0;
+    std::size_t finest = 0;
     bool any = false;
-    for (const auto& p : m_.points)
-      for (const auto& x : p) {
+    for (std::size_t i = 0; i < m_.points.size(); ++i)
+      for (const auto& x : m_.points[i]) {
         if (x.mantissa == 0) continue;
+        if (!any || x.ten < s_.ten || x.two < s_.two) finest = i;
         s_.ten = any ? std::min(s_.ten, x.ten) : x.ten;
         s_.two = any ? std::min(s_.two, x.two) : x.two;
+        most_ten = any ? std::max(most_ten, long{x.ten}) : x.ten;
+        most_two = any ? std::max(most_two, long{x.two}) : x.two;
         any = true;
       }
+    const double bits = 3.33 * static_cast<double>(most_ten - s_.ten) + static_cast<double>(most_two - s_.two);
+    if (bits > 1e5 || bits * 3 * static_cast<double>(m_.points.size()) > 4e9)  // half a gigabyte
+      fail(input_fault::absurd_size, finest,
+           m_.name_point(finest) + " has digits so fine that all coordinates together need " +
+               std::to_string(static_cast<long>(bits * 3 * static_cast<double>(m_.points.size()) / 8e6)) + " MB",
+           "round it");
     std::vector<Int> tens = {Int(1)};
     for (const auto& p : m_.points) {
       auto& q = points_.emplace_back();
@@ -149,6 +167,8 @@ class solid_builder {
       s_.shift[axis] = ((*lo)[axis] + (*hi)[axis]) / 2;
     }
     for (auto& p : points_) p = p - s_.shift;
+    unsigned shift = 0;
+    rough_ = detail::approximate<Int>(points_, shift);
   }
 
   void check_points() const {
@@ -239,20 +259,27 @@ class solid_builder {
     }
   }
 
+  static double log10_of(const Int& x) {
+    const unsigned shift = detail::double_shift(x);
+    return std::log10(static_cast<double>(Int(x >> shift))) + shift * std::log10(2.0);
+  }
+
   [[noreturn]] void fail_not_planar(std::size_t f, const vec<Int>& n, const Int& d) const {
-    double farthest = 0;
+    Int farthest = 0;
     int worst = 0;
     for (const int p : m_.facets[f]) {
-      const double away = std::abs(static_cast<double>(Int(dot(n, points_[p]) - d)));
+      Int away = dot(n, points_[p]) - d;
+      if (away < 0) away = -away;
       if (away > farthest) {
         farthest = away;
         worst = p;
       }
     }
-    const double length = std::sqrt(static_cast<double>(dot(n, n)));
-    const double unit = std::pow(10.0, s_.ten) * std::pow(2.0, s_.two);
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", farthest / length * unit);
+    // In logarithms: neither these numbers nor the distance need fit a double.
+    const double distance = log10_of(farthest) - log10_of(Int(dot(n, n))) / 2 + s_.ten + s_.two * std::log10(2.0);
+    const double exponent = std::abs(distance) < 300 ? 0 : std::floor(distance);
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), exponent == 0 ? "%.3g" : "%.3ge%.0f", std::pow(10.0, distance - exponent), exponent);
     fail(input_fault::not_planar, f, m_.name_facet(f) + " is not planar: point " + std::to_string(worst + 1) + " is off by " + text.data(),
          "give --triangulate to cut such facets");
   }
@@ -263,13 +290,19 @@ class solid_builder {
     const auto axes = projection(area(f));
     const auto at = [&](int p) { return point2<Int>{points_[p][axes[0]], points_[p][axes[1]], Int(1)}; };
     std::vector<std::vector<int>> result;
+    std::size_t start = 0;
     while (loop.size() > 3) {
       const std::size_t n = loop.size();
       std::size_t ear = n;
-      for (std::size_t i = 0; i < n && ear == n; ++i) {
+      for (std::size_t k = 0; k < n && ear == n; ++k) {
+        const std::size_t i = (start + k) % n;
         const std::array<int, 3> t = {loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n]};
         if (turn(points_[t[0]], points_[t[1]], at(t[2]), axes) != sign::positive) continue;
+        const detail::box near(rough_, t);
         const bool empty = std::none_of(loop.begin(), loop.end(), [&](int p) {
+          const auto& q = rough_[p];
+          for (const int axis : axes)
+            if (q[axis] < near.lo[axis] || q[axis] > near.hi[axis]) return false;
           return p != t[0] && p != t[1] && p != t[2] && locate_in_polygon<Int>(points_, t, at(p), axes) != location::outside;
         });
         if (empty) ear = i;
@@ -277,6 +310,7 @@ class solid_builder {
       if (ear == n) break;
       result.push_back({loop[(ear + n - 1) % n], loop[ear], loop[(ear + 1) % n]});
       loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(ear));
+      start = ear;  // going on instead of starting anew keeps the time quadratic
     }
     result.push_back(loop);
     return result;
@@ -317,10 +351,22 @@ class solid_builder {
       offsets.push_back(s_.planes[p].d);
     }
     const auto bad = find_self_intersection<Int>({points_, m_.facets, normals, offsets});
-    if (bad)
-      fail(input_fault::self_intersection, static_cast<std::size_t>(bad->facet),
-           m_.name_facet(static_cast<std::size_t>(bad->facet)) + " is met by " + edge_name(bad->a, bad->b),
-           "separate the two parts, or unite them into one surface");
+    if (!bad) return;
+    const auto f = static_cast<std::size_t>(bad->facet);
+    const auto points = [&] { return "points " + std::to_string(bad->a + 1) + " and " + std::to_string(bad->b + 1); };
+    switch (bad->what) {
+      case bad_contact::kind::edge:
+        fail(input_fault::self_intersection, f, m_.name_facet(f) + " is met by the edge between " + points(),
+             "separate the two parts, or unite them into one surface");
+      case bad_contact::kind::corner:
+        fail(input_fault::self_intersection, f,
+             m_.name_facet(f) + " passes point " + std::to_string(bad->a + 1) + " more than once and overlaps or turns over there",
+             "run the outer loop counter-clockwise, holes clockwise, and slits to them inside the facet");
+      case bad_contact::kind::chord:
+        fail(input_fault::self_intersection, f,
+             m_.name_facet(f) + " and facet " + std::to_string(bad->other + 1) + " pass through each other between " + points(),
+             "separate them, or cut both along that line");
+    }
   }
 
   // Every shell must enclose material if an even number of others encloses it, and a void otherwise.
@@ -347,12 +393,20 @@ class solid_builder {
         }
       }
     }
+    std::vector<detail::box> boxes;
+    for (const auto& members : shells) {
+      std::vector<int> corners;
+      for (const int f : members) corners.insert(corners.end(), m_.facets[f].begin(), m_.facets[f].end());
+      boxes.emplace_back(rough_, corners);
+    }
     std::size_t wrong = 0;
     std::size_t example = 0;
     for (std::size_t i = 0; i < shells.size(); ++i) {
+      const int p = m_.facets[shells[i][0]][0];
+      const detail::box place(rough_, std::span(&p, 1));
       int depth = 0;
       for (std::size_t j = 0; j < shells.size(); ++j)
-        if (i != j && encloses(shells[j], points_[m_.facets[shells[i][0]][0]])) ++depth;
+        if (i != j && place.overlaps(boxes[j]) && encloses(shells[j], points_[p])) ++depth;
       Int volume = 0;
       for (const int f : shells[i]) volume += dot(area(static_cast<std::size_t>(f)), points_[m_.facets[f][0]]);
       if ((volume > 0) != (depth % 2 == 0)) {
@@ -477,6 +531,7 @@ class solid_builder {
 
   mesh<Int> m_;
   std::vector<vec<Int>> points_;
+  std::vector<std::array<double, 3>> rough_;  // the points by a monotone function, for boxes
   std::vector<half_edge> half_edges_;
   std::vector<int> first_;  // a half-edge out of each point
   mutable std::vector<int> facet_start_;
