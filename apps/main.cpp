@@ -177,7 +177,7 @@ struct splits_command {
       for (const bool mirrored : {false, true}) {
         const perturbed k(filtered(std::span<const moving_plane<integer>>(s.planes), make_sqrt_kernel(s.planes)), mirrored);
         for (const bool bounded : {false, true})
-          for (const auto& t : splitter(k, c, bounded).all()) trees[operations_of(t)] |= bounded;
+          for (const auto& t : splitter(k, c, bounded).all()) trees[t.operations] |= bounded;
       }
     }
     const std::size_t valid = degree == 3 ? 1 : trees.size();
@@ -197,12 +197,6 @@ struct splits_command {
   }
 
   using operations = std::vector<std::pair<int, int>>;
-
-  static operations operations_of(const split_tree& t) {
-    operations result;
-    for (const auto& e : t.edges) result.emplace_back(e.a, e.b);
-    return result;
-  }
 
   static std::string text_of(const operations& t) {
     std::string text;

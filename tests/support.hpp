@@ -38,7 +38,9 @@ inline solid<integer> parse_solid(const std::string& text) {
   return read_solid(in, "text");
 }
 
-inline auto default_kernel(const solid<integer>& s) { return perturbed(filtered(std::span<const moving_plane<integer>>(s.planes), make_sqrt_kernel(s.planes))); }
+inline auto default_kernel(const solid<integer>& s) {
+  return perturbed(filtered(std::span<const moving_plane<integer>>(s.planes), make_sqrt_kernel(s.planes)));
+}
 
 inline auto rational_default_kernel(const solid<integer>& s) {
   return perturbed(filtered(std::span<const moving_plane<integer>>(s.planes), make_rational_kernel(s.planes)));

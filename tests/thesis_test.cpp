@@ -93,14 +93,10 @@ TEST(Thesis, Row21LeastVolumeIsDecidedByOneTetrahedron) {
   corner c{v.facets, {}};
   for (const int e : v.edges) c.convex.push_back(s.boundary.edges[static_cast<std::size_t>(e)].convex);
   const auto chosen = splitter(k, c).best(split_preference::min_volume);
-  const auto operations = [](const split_tree& t) {
-    std::vector<std::pair<int, int>> result;
-    for (const auto& e : t.edges) result.emplace_back(e.a, e.b);
-    return result;
-  };
-  EXPECT_EQ(operations(chosen), (std::vector<std::pair<int, int>>{{0, 2}, {0, 3}, {3, 7}, {4, 6}, {4, 7}}));
+  EXPECT_EQ(chosen.operations, (std::vector<std::pair<int, int>>{{0, 2}, {0, 3}, {3, 7}, {4, 6}, {4, 7}}));
   bool flipped_is_valid = false;
-  for (const auto& t : splitter(k, c).all()) flipped_is_valid = flipped_is_valid || operations(t) == std::vector<std::pair<int, int>>{{0, 3}, {1, 3}, {3, 7}, {4, 6}, {4, 7}};
+  for (const auto& t : splitter(k, c).all())
+    flipped_is_valid = flipped_is_valid || t.operations == std::vector<std::pair<int, int>>{{0, 3}, {1, 3}, {3, 7}, {4, 6}, {4, 7}};
   EXPECT_TRUE(flipped_is_valid);
   // Both ways to split the four facets 0, 1, 2, 3: a convex edge keeps more of the solid than a reflex one.
   const auto convex = [](const split_tree& t, int a, int b) {
@@ -132,14 +128,16 @@ mesh<integer> straightened(mesh<integer> m) {
   for (const auto& p : m.points) {
     auto& q = points.emplace_back();
     for (std::size_t axis = 0; axis < 3; ++axis)
-      q[axis] = rational(p[axis].mantissa) * (p[axis].ten < 0 ? rational(1, pow(integer(10), static_cast<unsigned>(-p[axis].ten))) : rational(pow(integer(10), static_cast<unsigned>(p[axis].ten))));
+      q[axis] = rational(p[axis].mantissa) * (p[axis].ten < 0 ? rational(1, pow(integer(10), static_cast<unsigned>(-p[axis].ten)))
+                                                              : rational(pow(integer(10), static_cast<unsigned>(p[axis].ten))));
   }
   using vector = std::array<rational, 3>;
   const auto facets_at = [&](int p) {
     std::vector<std::pair<vector, rational>> planes;
     for (const auto& f : m.facets) {
       if (std::find(f.begin(), f.end(), p) == f.end()) continue;
-      const auto &a = points[static_cast<std::size_t>(f[0])], &b = points[static_cast<std::size_t>(f[1])], &c = points[static_cast<std::size_t>(f[2])];
+      const auto &a = points[static_cast<std::size_t>(f[0])], &b = points[static_cast<std::size_t>(f[1])],
+                 &c = points[static_cast<std::size_t>(f[2])];
       const vector n = cross(b - a, c - a);
       planes.emplace_back(n, dot(n, a));
     }
@@ -150,7 +148,8 @@ mesh<integer> straightened(mesh<integer> m) {
   for (std::size_t p = 0; p < points.size(); ++p) {
     const auto planes = facets_at(static_cast<int>(p));
     if (planes.size() != 3) continue;
-    const vector u = cross(planes[1].first, planes[2].first), v = cross(planes[2].first, planes[0].first), w = cross(planes[0].first, planes[1].first);
+    const vector u = cross(planes[1].first, planes[2].first), v = cross(planes[2].first, planes[0].first),
+                 w = cross(planes[0].first, planes[1].first);
     const rational det = dot(planes[0].first, u);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       moved[p][axis] = (planes[0].second * u[axis] + planes[1].second * v[axis] + planes[2].second * w[axis]) / det;
@@ -165,11 +164,25 @@ mesh<integer> straightened(mesh<integer> m) {
 TEST(Thesis, ModelsOfEvents) {
   OSTEON_NEEDS_CORPUS();
   using enum event_class;
-  const std::map<std::string, event_class> expected = {
-      {"DblEdgeMergeEvent", E4},     {"DblTriangleEvent", E5}, {"EdgeEvent", E1},           {"EdgeEvent_noflip", E1}, {"EdgeMergeEvent", E2},
-      {"EdgeSplitEvent", E_E},       {"FlipVertexEvent", V_V_II}, {"PierceEvent", V_F},     {"PierceEvent2", V_F},    {"PolyhedronSplitEvent", V_V_E_I},
-      {"SplitMergeEvent", V_V_E_II}, {"SplitMergeEvent_reflex", V_V_E_II}, {"SurfaceEvent", V_E}, {"SurfaceEvent_reflex", V_E}, {"SurfaceEvent_topol", V_E},
-      {"TetrahedronEvent", E6},      {"TriangleEvent", E3},    {"VertexEvent", V_V_I},      {"VertexEvent_topol", V_V_I}};
+  const std::map<std::string, event_class> expected = {{"DblEdgeMergeEvent", E4},
+                                                       {"DblTriangleEvent", E5},
+                                                       {"EdgeEvent", E1},
+                                                       {"EdgeEvent_noflip", E1},
+                                                       {"EdgeMergeEvent", E2},
+                                                       {"EdgeSplitEvent", E_E},
+                                                       {"FlipVertexEvent", V_V_II},
+                                                       {"PierceEvent", V_F},
+                                                       {"PierceEvent2", V_F},
+                                                       {"PolyhedronSplitEvent", V_V_E_I},
+                                                       {"SplitMergeEvent", V_V_E_II},
+                                                       {"SplitMergeEvent_reflex", V_V_E_II},
+                                                       {"SurfaceEvent", V_E},
+                                                       {"SurfaceEvent_reflex", V_E},
+                                                       {"SurfaceEvent_topol", V_E},
+                                                       {"TetrahedronEvent", E6},
+                                                       {"TriangleEvent", E3},
+                                                       {"VertexEvent", V_V_I},
+                                                       {"VertexEvent_topol", V_V_I}};
   std::size_t models = 0;
   for (const auto& file : std::filesystem::directory_iterator(corpus() / "events")) {
     SCOPED_TRACE(file.path().filename().string());
@@ -178,8 +191,11 @@ TEST(Thesis, ModelsOfEvents) {
     std::ifstream in(file.path());
     const auto m = read_obj<integer>(in, file.path().filename().string());
     std::optional<solid<integer>> s;
-    for (const auto& repair : std::array<std::function<mesh<integer>(mesh<integer>)>, 3>{
-             [](auto x) { return x; }, straightened, [](auto x) { solid_builder<integer>::triangulate(x); return x; }}) {
+    for (const auto& repair : std::array<std::function<mesh<integer>(mesh<integer>)>, 3>{[](auto x) { return x; }, straightened,
+                                                                                         [](auto x) {
+                                                                                           solid_builder<integer>::triangulate(x);
+                                                                                           return x;
+                                                                                         }}) {
       try {
         s = make_solid(repair(m));
         break;

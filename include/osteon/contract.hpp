@@ -142,10 +142,12 @@ class contraction {
   // order of time.
   std::vector<int> between(const triple& planes, int from, int to) const {
     std::vector<int> result;
-    const bool instant = places_[static_cast<std::size_t>(from)].when && k_.compare(*places_[static_cast<std::size_t>(from)].when, *places_[static_cast<std::size_t>(to)].when) == sign::zero;
+    const bool instant = places_[static_cast<std::size_t>(from)].when &&
+                         k_.compare(*places_[static_cast<std::size_t>(from)].when, *places_[static_cast<std::size_t>(to)].when) == sign::zero;
     if (!instant) {
       for (int p = from + 1; p < to; ++p)
-        if (places_[static_cast<std::size_t>(p)].when && on_planes(places_[static_cast<std::size_t>(p)], planes) && later(p, from) && later(to, p)) result.push_back(p);
+        if (places_[static_cast<std::size_t>(p)].when && on_planes(places_[static_cast<std::size_t>(p)], planes) && later(p, from) && later(to, p))
+          result.push_back(p);
       return result;
     }
     int first = std::min(from, to);
@@ -243,7 +245,8 @@ class contraction {
     }
     for (const auto& [ends, content] : stretches_) {
       const int id = static_cast<int>(result_.arcs.size());
-      contracted_skeleton::arc arc{node_of[static_cast<std::size_t>(ends.first)], node_of[static_cast<std::size_t>(ends.second)], cells_at(content.polygons), {}};
+      contracted_skeleton::arc arc{
+          node_of[static_cast<std::size_t>(ends.first)], node_of[static_cast<std::size_t>(ends.second)], cells_at(content.polygons), {}};
       for (const auto& [polygon, times] : content.polygons) {
         // On both sides of the arc, or on one; whiskers of no width cancel.
         const int sheet = sheet_of[static_cast<std::size_t>(root(polygon))];

@@ -4,7 +4,9 @@
 /// \file
 /// Generated models: solids with integer coordinates for tests, measurements and first steps. All are exact and valid.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -51,7 +53,8 @@ class builder {
   template <class Int>
   mesh<Int> take() const {
     mesh<Int> m;
-    for (const auto& p : points_) m.points.push_back({exact_number<Int>{Int(p[0]), 0, 0}, exact_number<Int>{Int(p[1]), 0, 0}, exact_number<Int>{Int(p[2]), 0, 0}});
+    for (const auto& p : points_)
+      m.points.push_back({exact_number<Int>{Int(p[0]), 0, 0}, exact_number<Int>{Int(p[1]), 0, 0}, exact_number<Int>{Int(p[2]), 0, 0}});
     m.facets = facets_;
     return m;
   }
@@ -164,6 +167,343 @@ inline voxels random_voxels(std::array<int, 3> size, int percent, std::uint64_t 
   if (v.count() == 0) v.set(0, 0, 0, true);
   v.mend();
   return v;
+}
+
+// ---- solids over polygons
+
+using polygon = std::vector<std::array<long, 2>>;
+
+/// A prism over a simple polygon (counter-clockwise) from z = 0 to height > 0.
+inline builder prism(const polygon& base, long height) {
+  builder b;
+  std::vector<point> top;
+  std::vector<point> bottom;
+  const std::size_t n = base.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto& p = base[i];
+    const auto& q = base[(i + 1) % n];
+    top.push_back({p[0], p[1], height});
+    bottom.insert(bottom.begin(), {p[0], p[1], 0});
+    b.facet({{p[0], p[1], 0}, {q[0], q[1], 0}, {q[0], q[1], height}, {p[0], p[1], height}});
+  }
+  b.facet(top);
+  b.facet(bottom);
+  return b;
+}
+
+/// A pyramid over a polygon that sees the apex's foot, the origin, from everywhere.
+inline builder pyramid(const polygon& base, long height) {
+  builder b;
+  std::vector<point> bottom;
+  for (std::size_t i = 0; i < base.size(); ++i) {
+    const auto& p = base[i];
+    const auto& q = base[(i + 1) % base.size()];
+    bottom.insert(bottom.begin(), {p[0], p[1], 0});
+    b.facet({{p[0], p[1], 0}, {q[0], q[1], 0}, {0, 0, height}});
+  }
+  b.facet(bottom);
+  return b;
+}
+
+/// Corner i of n on a circle, rounded to integers; `turn` in n-ths.
+inline std::array<long, 2> on_circle(int i, int n, double radius, double turn = 0) {
+  const double angle = 2 * 3.14159265358979323846 * (i + turn) / n;
+  return {std::lround(radius * std::cos(angle)), std::lround(radius * std::sin(angle))};
+}
+
+inline builder box(long a, long b, long c) { return prism({{0, 0}, {a, 0}, {a, b}, {0, b}}, c); }
+
+/// n steps of rise and run 1, as a prism of width n.
+inline builder stairs(int n) {
+  polygon profile = {{0, 0}, {n, 0}};
+  for (long i = 0; i < n; ++i) {
+    profile.push_back({n - i, i + 1});
+    profile.push_back({n - i - 1, i + 1});
+  }
+  profile.pop_back();
+  profile.push_back({0, n});
+  return prism(profile, n);
+}
+
+/// A box with a V-shaped notch of depth d along its top, 0 < d < 6.
+inline builder notched_box(long d) { return prism({{0, 0}, {10, 0}, {10, 6}, {7, 6}, {5, 6 - d}, {3, 6}, {0, 6}}, 8); }
+
+/// A pyramid whose base is a star polygon of k corners with random radii: a corner of degree k, about half of its edges reflex.
+inline builder cone(int k, std::uint64_t seed) {
+  dice roll(seed);
+  polygon base;
+  for (int i = 0; i < k; ++i) base.push_back(on_circle(i, k, static_cast<double>(roll.between(400'000, 1'000'000))));
+  return pyramid(base, 500'000 + roll.between(0, 99'999));
+}
+
+/// A star of n points with two corners of degree 2n, slightly irregular.
+inline builder star(int n, std::uint64_t seed) {
+  dice roll(seed);
+  builder b;
+  std::vector<point> rim;
+  for (int i = 0; i < 2 * n; ++i) {
+    const auto p = on_circle(i, 2 * n, i % 2 == 0 ? 1000 : 420);
+    rim.push_back({p[0] + roll.between(-20, 20), p[1] + roll.between(-20, 20), i % 2 == 0 ? roll.between(60, 90) : roll.between(-90, -60)});
+  }
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const point& p = rim[i];
+    const point& q = rim[(i + 1) % rim.size()];
+    b.facet({p, q, {0, 0, 300}});
+    b.facet({q, p, {0, 0, -300}});
+  }
+  return b;
+}
+
+/// Two n-gons, the upper one turned: with `reflex` the sides fold inwards (Schoenhardt's solid for n = 3), else the
+/// solid is an antiprism.
+inline builder twisted_prism(int n, bool reflex) {
+  builder b;
+  std::vector<point> low;
+  std::vector<point> high;
+  for (int i = 0; i < n; ++i) {
+    const auto p = on_circle(i, n, 1000);
+    const auto q = on_circle(i, n, 1000, reflex ? 0.25 : 0.5);
+    low.push_back({p[0], p[1], 0});
+    high.push_back({q[0], q[1], 1200});
+  }
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    if (reflex) {
+      b.facet({low[i], low[j], high[j]});
+      b.facet({low[i], high[j], high[i]});
+      continue;
+    }
+    b.facet({low[i], low[j], high[i]});
+    b.facet({low[j], high[j], high[i]});
+  }
+  b.facet(high);
+  std::reverse(low.begin(), low.end());
+  b.facet(low);
+  return b;
+}
+
+/// A block whose corners are lifted and lowered in turn around a middle point on top: a saddle of degree four.
+inline builder saddle() {
+  builder b;
+  const std::array<point, 4> top = {{{50, 50, 90}, {-40, 60, 40}, {-55, -45, 95}, {45, -60, 35}}};
+  const std::array<point, 4> low = {{{50, 50, -60}, {-40, 60, -60}, {-55, -45, -60}, {45, -60, -60}}};
+  for (int i = 0; i < 4; ++i) {
+    const int j = (i + 1) % 4;
+    b.facet({top[i], top[j], {3, 2, 55}});
+    b.facet({low[i], low[j], top[j], top[i]});
+  }
+  b.facet({low[3], low[2], low[1], low[0]});
+  return b;
+}
+
+// ---- solids between two height fields: a function of x above, one of y below
+
+/// The solid under z = f(x) and above z = -g(y) over a square; f and g are polylines over the same positions.
+inline builder between_profiles(const std::vector<std::array<long, 2>>& f, const std::vector<std::array<long, 2>>& g) {
+  builder b;
+  const long lo = f.front()[0];
+  const long hi = f.back()[0];
+  for (std::size_t i = 0; i + 1 < f.size(); ++i)
+    b.facet({{f[i][0], lo, f[i][1]}, {f[i + 1][0], lo, f[i + 1][1]}, {f[i + 1][0], hi, f[i + 1][1]}, {f[i][0], hi, f[i][1]}});
+  for (std::size_t i = 0; i + 1 < g.size(); ++i)
+    b.facet({{lo, g[i][0], -g[i][1]}, {lo, g[i + 1][0], -g[i + 1][1]}, {hi, g[i + 1][0], -g[i + 1][1]}, {hi, g[i][0], -g[i][1]}});
+  std::vector<point> south, north, west, east;
+  for (const auto& p : f) south.insert(south.begin(), {p[0], lo, p[1]}), north.push_back({p[0], hi, p[1]});
+  south.push_back({lo, lo, -g.front()[1]}), south.push_back({hi, lo, -g.front()[1]});
+  north.push_back({hi, hi, -g.back()[1]}), north.push_back({lo, hi, -g.back()[1]});
+  for (const auto& p : g) east.push_back({hi, p[0], -p[1]}), west.insert(west.begin(), {lo, p[0], -p[1]});
+  east.push_back({hi, hi, f.back()[1]}), east.push_back({hi, lo, f.back()[1]});
+  west.push_back({lo, lo, f.front()[1]}), west.push_back({lo, hi, f.front()[1]});
+  for (const auto& wall : {south, north, west, east}) b.facet(wall);
+  return b;
+}
+
+/// Held's convex solid with n facets above and n below: its skeleton has about n^2 elements (Held 1994, thesis 3.1).
+inline builder held(int n) {
+  std::vector<std::array<long, 2>> arch;
+  for (long i = 0; i <= n; ++i) arch.push_back({4 * (2 * i - n), 8L * n * n - (2 * i - n) * (2 * i - n)});
+  return between_profiles(arch, arch);
+}
+
+/// A flat box with n grooves above and n across below, whose reflex edges all cross (thesis, iron maiden pizza box).
+inline builder pizza_box(int n) {
+  std::vector<std::array<long, 2>> f, g;
+  for (long i = 0; i <= 2L * n; ++i) {
+    f.push_back({12 * i - 12 * n, i % 2 == 0 ? 40 : 12 + i % 3});
+    g.push_back({12 * i - 12 * n, i % 2 == 0 ? 41 : 11 + i % 5});
+  }
+  return between_profiles(f, g);
+}
+
+// ---- solids over grids
+
+/// Bars along x over bars along y, n each, sunk halfway into each other.
+inline builder crossing_bars(int n) {
+  voxels v({2 * n + 1, 2 * n + 1, 3});
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < 2 * n + 1; ++j)
+      for (int z = 0; z < 2; ++z) {
+        v.set(j, 2 * i + 1, z, true);
+        v.set(2 * i + 1, j, z + 1, true);
+      }
+  return v.surface();
+}
+
+/// A slab with n x n towers of heights 1 .. 3.
+inline builder towers(int n, std::uint64_t seed) {
+  dice roll(seed);
+  voxels v({2 * n + 1, 2 * n + 1, 4});
+  for (int x = 0; x < 2 * n + 1; ++x)
+    for (int y = 0; y < 2 * n + 1; ++y) v.set(x, y, 0, true);
+  for (int x = 0; x < n; ++x)
+    for (int y = 0; y < n; ++y)
+      for (long z = roll.between(1, 3); z > 0; --z) v.set(2 * x + 1, 2 * y + 1, static_cast<int>(z), true);
+  return v.surface();
+}
+
+/// A square frame: a torus of boxes with an n x n hole.
+inline builder frame(int n) {
+  voxels v({n + 2, n + 2, 1});
+  for (int x = 0; x < n + 2; ++x)
+    for (int y = 0; y < n + 2; ++y) v.set(x, y, 0, x == 0 || y == 0 || x == n + 1 || y == n + 1);
+  return v.surface();
+}
+
+/// A plate with n x n pyramids on top.
+inline builder spiked_plate(int n) {
+  builder b;
+  const long size = 3L * n;
+  const auto floor = [&](const point& p, long z) { return point{10 * p[0], 10 * p[1], z}; };
+  for (long x = 0; x < size; ++x)
+    for (long y = 0; y < size; ++y) {
+      const std::array<point, 4> c = {{{x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0}}};
+      if (x % 3 == 1 && y % 3 == 1) {
+        const point apex = {10 * x + 4 + x % 2, 10 * y + 5, 30 + (x + 2 * y) % 7};
+        for (int i = 0; i < 4; ++i) b.facet({floor(c[i], 10), floor(c[(i + 1) % 4], 10), apex});
+      } else {
+        b.facet({floor(c[0], 10), floor(c[1], 10), floor(c[2], 10), floor(c[3], 10)});
+      }
+      b.facet({floor(c[3], 0), floor(c[2], 0), floor(c[1], 0), floor(c[0], 0)});
+    }
+  for (long i = 0; i < size; ++i)
+    for (const auto& [p, q] : {std::pair<point, point>{{i, 0, 0}, {i + 1, 0, 0}},
+                               {{size, i, 0}, {size, i + 1, 0}},
+                               {{i + 1, size, 0}, {i, size, 0}},
+                               {{0, i + 1, 0}, {0, i, 0}}})
+      b.facet({floor(p, 0), floor(q, 0), floor(q, 10), floor(p, 10)});
+  return b;
+}
+
+/// A house with a hip roof of slope 1 over a footprint of squares, '#' in the rows of a plan like "##|#.".
+inline builder house(const std::string& plan) {
+  std::vector<std::string> rows(1);
+  for (const char c : plan) {
+    if (c == '|')
+      rows.emplace_back();
+    else
+      rows.back().push_back(c);
+  }
+  const int w = 2 * static_cast<int>(rows[0].size());
+  const int h = 2 * static_cast<int>(rows.size());
+  const auto full = [&](long x, long y) {
+    return x >= 0 && y >= 0 && x < w && y < h && static_cast<std::size_t>(x / 2) < rows[static_cast<std::size_t>(y / 2)].size() &&
+           rows[static_cast<std::size_t>(y / 2)][static_cast<std::size_t>(x / 2)] == '#';
+  };
+  // The roof's height over a grid point: 0 on the outline, 1 within (the arms are two units wide).
+  const auto rise = [&](long x, long y) { return full(x, y) && full(x - 1, y) && full(x, y - 1) && full(x - 1, y - 1) ? 1L : 0L; };
+  const long eaves = 3;
+  builder b;
+  for (long x = 0; x < w; ++x)
+    for (long y = 0; y < h; ++y) {
+      if (!full(x, y)) continue;
+      b.facet({{x, y, 0}, {x, y + 1, 0}, {x + 1, y + 1, 0}, {x + 1, y, 0}});
+      std::array<point, 4> c = {{{x, y, eaves + rise(x, y)},
+                                 {x + 1, y, eaves + rise(x + 1, y)},
+                                 {x + 1, y + 1, eaves + rise(x + 1, y + 1)},
+                                 {x, y + 1, eaves + rise(x, y + 1)}}};
+      // Cut along the diagonal through the corner that differs from its two neighbours.
+      if (c[0][2] == c[2][2]) std::rotate(c.begin(), c.begin() + 1, c.end());
+      b.facet({c[0], c[1], c[2]});
+      b.facet({c[0], c[2], c[3]});
+      if (!full(x, y - 1)) b.facet({{x, y, 0}, {x + 1, y, 0}, {x + 1, y, eaves}, {x, y, eaves}});
+      if (!full(x + 1, y)) b.facet({{x + 1, y, 0}, {x + 1, y + 1, 0}, {x + 1, y + 1, eaves}, {x + 1, y, eaves}});
+      if (!full(x, y + 1)) b.facet({{x + 1, y + 1, 0}, {x, y + 1, 0}, {x, y + 1, eaves}, {x + 1, y + 1, eaves}});
+      if (!full(x - 1, y)) b.facet({{x, y + 1, 0}, {x, y, 0}, {x, y, eaves}, {x, y + 1, eaves}});
+    }
+  return b;
+}
+
+// ---- symmetric solids
+
+inline builder tetrahedron() {
+  builder b;
+  const std::array<point, 4> p = {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
+  b.facet({p[0], p[1], p[2]}), b.facet({p[0], p[2], p[3]}), b.facet({p[0], p[3], p[1]}), b.facet({p[1], p[3], p[2]});
+  return b;
+}
+
+/// The octahedron |x| + |y| + |z| <= r.
+inline builder octahedron(long r) {
+  builder b;
+  for (const long x : {-r, r})
+    for (const long y : {-r, r})
+      for (const long z : {-r, r}) {
+        if (x * y * z > 0)
+          b.facet({{x, 0, 0}, {0, y, 0}, {0, 0, z}});
+        else
+          b.facet({{x, 0, 0}, {0, 0, z}, {0, y, 0}});
+      }
+  return b;
+}
+
+/// A cube of side 2s with its corners cut off at distance c < s along the edges.
+inline builder cut_cube(long s, long c) {
+  builder b;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const long side : {-s, s}) {
+      const int u = (axis + 1) % 3;
+      const int v = (axis + 2) % 3;
+      std::vector<point> octagon;
+      for (const auto& [pu, pv] : {std::pair(-s + c, -s), std::pair(s - c, -s), std::pair(s, -s + c), std::pair(s, s - c), std::pair(s - c, s),
+                                   std::pair(-s + c, s), std::pair(-s, s - c), std::pair(-s, -s + c)}) {
+        point p{};
+        p[axis] = side, p[u] = pu, p[v] = pv;
+        octagon.push_back(p);
+      }
+      if (side < 0) std::reverse(octagon.begin(), octagon.end());
+      b.facet(octagon);
+    }
+  for (const long x : {-s, s})
+    for (const long y : {-s, s})
+      for (const long z : {-s, s}) {
+        const auto in = [&](long k) { return k > 0 ? k - c : k + c; };
+        if (x * y * z > 0)
+          b.facet({{in(x), y, z}, {x, in(y), z}, {x, y, in(z)}});
+        else
+          b.facet({{in(x), y, z}, {x, y, in(z)}, {x, in(y), z}});
+      }
+  return b;
+}
+
+/// A cube of side 2s with a pyramid of height h on every facet.
+inline builder stellated_cube(long s, long h) {
+  builder b;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const long side : {-s, s}) {
+      const int u = (axis + 1) % 3;
+      const int v = (axis + 2) % 3;
+      std::vector<point> c;
+      for (const auto& [pu, pv] : {std::pair(-s, -s), std::pair(s, -s), std::pair(s, s), std::pair(-s, s)}) {
+        point p{};
+        p[axis] = side, p[u] = pu, p[v] = pv;
+        c.push_back(p);
+      }
+      if (side < 0) std::reverse(c.begin(), c.end());
+      point apex = {0, 0, 0};
+      apex[axis] = side > 0 ? side + h : side - h;
+      for (int i = 0; i < 4; ++i) b.facet({c[i], c[(i + 1) % 4], apex});
+    }
+  return b;
 }
 
 }  // namespace osteon::models

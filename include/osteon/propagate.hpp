@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <optional>
 #include <queue>
 #include <ranges>
@@ -89,26 +90,50 @@ class propagation {
   // ---- the start
 
   void initialise() {
-    for (const auto& e : solid_.edges) {
-      const auto [p, q] = std::minmax(e.planes[0], e.planes[1]);
-      front_.add_edge({{p, q}, {-1, -1}, {false, false}, e.convex}, new_sheet(p, q, static_cast<int>(result_.sheets.size())));
-    }
+    for (std::size_t e = 0; e < solid_.edges.size(); ++e)
+      new_sheet(std::min(solid_.edges[e].planes[0], solid_.edges[e].planes[1]), std::max(solid_.edges[e].planes[0], solid_.edges[e].planes[1]),
+                static_cast<int>(e));
+    std::vector<split_tree> trees;
+    for (const auto& v : solid_.vertices)
+      trees.push_back(v.facets.size() == 3 || is_majority(v) ? split_tree{} : splitter<K>(k_, corner_at(v)).best(options_.prefer));
+    std::vector<int> front_edge(solid_.edges.size(), -1);
+    add_input_edges(trees, front_edge);
     for (std::size_t v = 0; v < solid_.vertices.size(); ++v) {
-      const auto& corner_of = solid_.vertices[v];
-      const auto& f = corner_of.facets;
+      const auto& f = solid_.vertices[v].facets;
       quadruple some = {f[0], f[1], f[2], -1};
       std::sort(some.begin(), some.begin() + 3);
       result_.nodes.push_back({static_cast<int>(v), some, event_class::other, false, {}});
-      if (f.size() == 3)
-        add_corners(corner_of, {{0, 1, 2}}, {});
-      else if (is_majority(corner_of))
-        add_majority(corner_of);
-      else {
-        const split_tree t = splitter<K>(k_, corner_at(corner_of)).best(options_.prefer);
-        add_corners(corner_of, t.vertices, t.edges);
+      if (f.size() == 3) {
+        const auto& e = solid_.vertices[v].edges;
+        add_corner({f[0], f[1], f[2]}, {front_edge[e[1]], front_edge[e[2]], front_edge[e[0]]});
+      } else if (is_majority(solid_.vertices[v])) {
+        add_majority(solid_.vertices[v], front_edge);
+      } else {
+        add_tree(solid_.vertices[v], trees[v], front_edge);
       }
     }
     for (const auto& v : front_.vertices()) set_sheets(v);
+  }
+
+  // One moving edge for each edge of the solid; one for several that become one where facets of one plane join.
+  void add_input_edges(const std::vector<split_tree>& trees, std::vector<int>& front_edge) {
+    std::vector<int> same(solid_.edges.size());
+    std::iota(same.begin(), same.end(), 0);
+    const auto root = [&same](int e) {
+      while (same[e] != e) e = same[e];
+      return e;
+    };
+    for (std::size_t v = 0; v < trees.size(); ++v)
+      for (const auto& e : trees[v].edges)
+        if (e.rays[1] >= 0) {
+          const auto [p, q] = std::minmax({root(solid_.vertices[v].edges[e.rays[0]]), root(solid_.vertices[v].edges[e.rays[1]])});
+          same[q] = p;
+          result_.sheets[polygon_of(q)].polygon = polygon_of(p);
+        }
+    for (int e = 0; e < static_cast<int>(same.size()); ++e) {
+      const auto [p, q] = std::minmax({solid_.edges[e].planes[0], solid_.edges[e].planes[1]});
+      front_edge[e] = root(e) == e ? front_.add_edge({{p, q}, {-1, -1}, {false, false}, solid_.edges[e].convex}, e) : front_edge[root(e)];
+    }
   }
 
   corner corner_at(const boundary::vertex& v) const {
@@ -122,30 +147,30 @@ class propagation {
     return f.size() == 6 && f[0] == f[3] && f[1] == f[4] && f[2] == f[5] && f[0] != f[1] && f[1] != f[2] && f[0] != f[2];
   }
 
-  void add_corners(const boundary::vertex& v, const std::vector<std::array<int, 3>>& corners, const std::vector<split_edge>& inner) {
-    std::vector<int> made;
-    for (const split_edge& s : inner) {
-      const auto [p, q] = std::minmax(v.facets[s.a], v.facets[s.b]);
-      made.push_back(front_.add_edge({{p, q}, {-1, -1}, {false, false}, s.convex}, new_sheet(p, q, -1)));
+  // A vertex of three facets, counter-clockwise, and the edges opposite them.
+  void add_corner(const triple& facets, const std::array<int, 3>& edges) {
+    const int id = add_vertex(facets);
+    const bool positive = generic_orientation(k_, facets[0], facets[1], facets[2]) == sign::positive;
+    for (int r = 0; r < 3; ++r) join(edges[r], id, facets[r], front_.edges()[edges[r]].convex == positive);
+  }
+
+  void add_tree(const boundary::vertex& v, const split_tree& t, const std::vector<int>& front_edge) {
+    std::vector<int> edges;
+    for (const split_edge& e : t.edges) {
+      const auto [p, q] = std::minmax({v.facets[e.a], v.facets[e.b]});
+      edges.push_back(e.rays[0] >= 0 ? front_edge[v.edges[e.rays[0]]]
+                                     : front_.add_edge({{p, q}, {-1, -1}, {false, false}, e.convex}, new_sheet(p, q, -1)));
     }
-    for (const auto& c : corners) {
-      const int id = add_vertex({v.facets[c[0]], v.facets[c[1]], v.facets[c[2]]});
-      for (int r = 0; r < 3; ++r) {
-        const int a = std::min(c[r], c[(r + 1) % 3]);
-        const int b = std::max(c[r], c[(r + 1) % 3]);
-        int e = b == a + 1 ? v.edges[a] : v.edges[b];
-        for (std::size_t i = 0; i < inner.size(); ++i)
-          if (inner[i].a == a && inner[i].b == b) e = made[i];
-        const plane_id third = v.facets[c[(r + 2) % 3]];
-        const sign s = generic_orientation(k_, v.facets[c[r]], v.facets[c[(r + 1) % 3]], third);
-        join(e, id, third, front_.edges()[e].convex == (s == sign::positive));
-      }
+    for (std::size_t c = 0; c < t.vertices.size(); ++c) {
+      const auto& facets = t.vertices[c];
+      const auto& opposite = t.vertex_edges[c];
+      add_corner({v.facets[facets[0]], v.facets[facets[1]], v.facets[facets[2]]}, {edges[opposite[0]], edges[opposite[1]], edges[opposite[2]]});
     }
   }
 
-  void add_majority(const boundary::vertex& v) {
+  void add_majority(const boundary::vertex& v, const std::vector<int>& front_edge) {
     const int id = add_vertex({v.facets[0], v.facets[1], v.facets[2]});
-    for (int m = 0; m < 6; ++m) join(v.edges[m], id, v.facets[(m + 2) % 6], !solid_.edges[v.edges[m]].convex);
+    for (int m = 0; m < 6; ++m) join(front_edge[v.edges[m]], id, v.facets[(m + 2) % 6], !solid_.edges[v.edges[m]].convex);
   }
 
   // ---- elements

@@ -171,9 +171,9 @@ class intersection_search {
         }
   }
 
-  // At points that the loop passes more than once, counter-clockwise: inside and outside must alternate, and slits (edges that
-  // the loop runs along in both directions) lie inside. Together with the absence of crossings this makes the loop the
-  // oriented boundary of one region.
+  // At a point that the loop passes more than once, nothing may lie between the edge it leaves by and, counter-clockwise, the
+  // one it arrived by: then the inside's sectors are disjoint there. Together with the absence of crossings this makes the loop
+  // the oriented boundary of one region; slits (edges run along in both directions) lie inside.
   void check_corners(int f) {
     const auto& loop = s_.facets[f];
     const auto axes = projection(s_.normals[f]);
@@ -183,16 +183,20 @@ class intersection_search {
     const int n = static_cast<int>(loop.size());
     for (int i = 0, j = 0; i < n; i = j) {
       const int v = loop[visits[i]];
-      std::map<int, unsigned> ends;  // bit 0: the loop leaves along this edge, bit 1: it arrives
+      struct visits_by {
+        int leaving = -1;
+        int arriving = -1;
+      };
+      std::map<int, visits_by> ends;
       for (j = i; j < n && loop[visits[j]] == v; ++j) {
-        ends[loop[(visits[j] + 1) % n]] |= 1U;
-        ends[loop[(visits[j] + n - 1) % n]] |= 2U;
+        ends[loop[(visits[j] + 1) % n]].leaving = j;
+        ends[loop[(visits[j] + n - 1) % n]].arriving = j;
       }
       if (j == i + 1) continue;
       const auto direction = [&](int w) {
         return std::array<Int, 2>{s_.points[w][axes[0]] - s_.points[v][axes[0]], s_.points[w][axes[1]] - s_.points[v][axes[1]]};
       };
-      std::vector<std::pair<int, unsigned>> order(ends.begin(), ends.end());
+      std::vector<std::pair<int, visits_by>> order(ends.begin(), ends.end());
       std::sort(order.begin(), order.end(), [&](const auto& x, const auto& y) {
         const auto u = direction(x.first);
         const auto w = direction(y.first);
@@ -200,11 +204,9 @@ class intersection_search {
         const bool lower_w = w[1] < 0 || (w[1] == 0 && w[0] < 0);
         return lower_u != lower_w ? lower_w : u[0] * w[1] > u[1] * w[0];
       });
-      const auto last = std::find_if(order.rbegin(), order.rend(), [](const auto& e) { return e.second != 3; });
-      bool inside = last == order.rend() || last->second == 1;
-      for (const auto& [w, how] : order) {
-        if (inside == (how == 1)) found_ = bad_contact{kind::corner, f, v};
-        if (how != 3) inside = how == 1;
+      for (std::size_t k = 0; k < order.size(); ++k) {
+        const int leaving = order[k].second.leaving;
+        if (leaving >= 0 && order[(k + 1) % order.size()].second.arriving != leaving) found_ = bad_contact{kind::corner, f, v};
       }
     }
   }
@@ -223,6 +225,8 @@ class intersection_search {
     const sign sa = side(e.a, f);
     const sign sb = side(e.b, f);
     if (sa == sb && sa != sign::zero) return false;
+    const int touching = sa == sign::zero ? e.a : e.b;  // if one of them does
+    if (sa * sb == sign::zero && sa != sb && is_corner(touching, f)) return false;
     const auto axes = projection(s_.normals[f]);
     if (sa != sign::zero && sb != sign::zero) {
       const auto height = [&](int p) -> Int {
@@ -240,8 +244,7 @@ class intersection_search {
         if (edges_meet(e.a, e.b, loop[i], loop[(i + 1) % loop.size()], axes)) return true;
       return where(middle(e.a, e.b, axes), f, axes) != location::outside;
     }
-    const int touching = sa == sign::zero ? e.a : e.b;
-    return !is_corner(touching, f) && where(at(touching, axes), f, axes) != location::outside;
+    return where(at(touching, axes), f, axes) != location::outside;
   }
 
   void make_edges() {
@@ -362,10 +365,15 @@ class intersection_search {
         const auto [g, b] = common[i];
         if (common[i - 1].first != g) continue;
         const int a = common[i - 1].second;
+        const auto within_g = [&, g = g, b = b] {
+          const auto axes_g = projection(s_.normals[g]);
+          return where(middle(a, b, axes_g), g, axes_g) == location::inside;
+        };
+        const bool small = s_.facets[g].size() < s_.facets[f].size();  // ask it first: most chords are edges
+        if (small && !within_g()) continue;
         const auto [known, fresh] = inside.try_emplace({a, b});
         if (fresh) known->second = where(middle(a, b, axes), f, axes) == location::inside;
-        const auto axes_g = projection(s_.normals[g]);
-        if (known->second && where(middle(a, b, axes_g), g, axes_g) == location::inside) {
+        if (known->second && (small || within_g())) {
           found_ = bad_contact{kind::chord, f, a, b, g};
           return;
         }

@@ -9,6 +9,9 @@
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <map>
+#include <numeric>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -37,19 +40,29 @@ struct corner {
   int degree() const { return static_cast<int>(facets.size()); }
 };
 
-/// A split operation <a,b> of the thesis, a < b: facets number a and b of the corner become adjacent.
+/// An edge of a split corner between the facets a and b of the corner. Where a facet's plane occurs twice around the
+/// corner, two of its facets may become one; then an edge runs on between both of them and the facet across.
 struct split_edge {
   int a, b;
   bool convex;
+  std::array<int, 2> rays;  ///< the corner's own edges that it continues, -1 for none
 };
 
-/// A tree: k - 3 operations in ascending order, and the k - 2 vertices that it makes, counter-clockwise.
+/// A tree (a forest where facets of one plane join): the operations <a,b> of the thesis, ascending, the vertices of three facets
+/// that it makes, counter-clockwise, and all edges.
 struct split_tree {
-  std::vector<split_edge> edges;
+  std::vector<std::pair<int, int>> operations;
   std::vector<std::array<int, 3>> vertices;
+  std::vector<std::array<int, 3>> vertex_edges;  ///< edges[r] of a vertex lies opposite its facet r
+  std::vector<split_edge> edges;
 
-  int convex_edges() const {
-    return static_cast<int>(std::count_if(edges.begin(), edges.end(), [](const split_edge& e) { return e.convex; }));
+  /// Among the edges that begin here.
+  int convex_edges() const { return new_edges(true); }
+  int reflex_edges() const { return new_edges(false); }
+
+ private:
+  int new_edges(bool convex) const {
+    return static_cast<int>(std::count_if(edges.begin(), edges.end(), [convex](const split_edge& e) { return e.rays[0] < 0 && e.convex == convex; }));
   }
 };
 
@@ -94,17 +107,12 @@ inline std::uint64_t catalan(int n) {
 template <kernel K>
 class splitter {
  public:
-  /// Requires degree >= 4. Throws unsupported_error where the degree exceeds greatest_split_degree or a plane occurs
-  /// twice. `bounded` demands that all vertices stay near, as a solid needs it. Without it three planes that share a line may
-  /// make a vertex too, which is infinitely far away; a perturbed kernel places it.
+  /// Requires degree >= 4. Throws unsupported_error where the degree exceeds greatest_split_degree. `bounded` demands that all vertices stay near, as
+  /// a solid needs it. Without it three planes that share a line may make a vertex too, which is infinitely far away; a perturbed kernel places it.
   splitter(const K& k, corner c, bool bounded = true) : k_(k), c_(std::move(c)), start_(k.start()), bounded_(bounded) {
     if (c_.degree() > greatest_split_degree)
       throw unsupported_error("not yet: a vertex of degree " + std::to_string(c_.degree()) + " (at most " + std::to_string(greatest_split_degree) +
                               ")");
-    std::vector<plane_id> sorted = c_.facets;
-    std::sort(sorted.begin(), sorted.end());
-    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-      throw unsupported_error("not yet: a vertex with two corners of one facet that is no majority corner");
     const int n = c_.degree();
     sides_.assign(static_cast<std::size_t>(n) * n * n * n, unknown);
   }
@@ -123,13 +131,12 @@ class splitter {
   /// a facet that it does not bound, which includes the other edges of its own two facets.
   bool valid(const split_tree& t) const {
     const std::vector<segment> edges = segments(t);
-    std::vector<std::vector<segment>> facets(c_.facets.size());
+    std::map<plane_id, std::vector<segment>> facets;
     for (const segment& e : edges)
-      for (int f = 0; f < c_.degree(); ++f)
-        if (c_.facets[f] == e.planes[0] || c_.facets[f] == e.planes[1]) facets[f].push_back(e);
+      for (const plane_id p : e.planes) facets[p].push_back(e);
     for (const segment& e : edges)
-      for (int f = 0; f < c_.degree(); ++f)
-        if (pierces(e, c_.facets[f], facets[f])) return false;
+      for (const auto& [p, facet] : facets)
+        if (pierces(e, p, facet)) return false;
     return true;
   }
 
@@ -152,8 +159,19 @@ class splitter {
   /// The edges around and inside the split vertex; those of the solid run to infinity.
   std::vector<segment> segments(const split_tree& t) const {
     std::vector<segment> result;
-    for (const auto& v : t.vertices)
-      for (int r = 0; r < 3; ++r) add_segment(result, t, v[r], v[(r + 1) % 3], v[(r + 2) % 3]);
+    for (const split_edge& e : t.edges) {
+      const auto [p, q] = std::minmax({plane(e.a), plane(e.b)});
+      result.push_back({{p, q}, {-1, -1}, {false, false}, e.convex});
+    }
+    for (std::size_t v = 0; v < t.vertices.size(); ++v)
+      for (int r = 0; r < 3; ++r) {
+        segment& e = result[static_cast<std::size_t>(t.vertex_edges[v][r])];
+        const plane_id third = plane(t.vertices[v][r]);
+        const bool inside = e.convex == positive(t.vertices[v]);
+        const int end = runs_inside(k_, e.planes[0], e.planes[1], third, 0) == inside ? 0 : 1;
+        e.third[end] = third;
+        e.inside[end] = inside;
+      }
     return result;
   }
 
@@ -174,64 +192,112 @@ class splitter {
     return static_cast<sign>(known);
   }
 
-  // The apexes of the triangles on edge (a,b), a < b: the one between a and b first, -1 where the edge is a side.
-  std::array<int, 2> apexes(std::span<const std::pair<int, int>> diagonals, int a, int b) const {
-    const auto joined = [&](int x, int y) {
-      if (x > y) std::swap(x, y);
-      return is_side(x, y) || std::find(diagonals.begin(), diagonals.end(), std::pair(x, y)) != diagonals.end();
-    };
-    std::array<int, 2> result = {-1, -1};
-    for (int c = 0; c < c_.degree(); ++c)
-      if (c != a && c != b && joined(a, c) && joined(b, c)) result[a < c && c < b ? 0 : 1] = c;
-    return result;
-  }
+  bool positive(const std::array<int, 3>& v) const { return k_.orientation(plane(v[0]), plane(v[1]), plane(v[2])) == sign::positive; }
 
-  // Builds the tree of a triangulation; false where it breaks the local rule.
-  bool make(std::span<const std::pair<int, int>> diagonals, split_tree& t) const {
-    for (const auto& [a, b] : diagonals) {
-      const auto [inner, outer] = apexes(diagonals, a, b);
-      if (!meet(plane(a), plane(b), plane(inner)) || !meet(plane(a), plane(b), plane(outer))) return false;
-      const bool inside = side(inner, a, b, outer) == sign::positive;
-      t.edges.push_back({a, b, (k_.orientation(plane(a), plane(inner), plane(b)) == sign::positive) == inside});
-    }
-    for (int a = 0; a < c_.degree(); ++a)
-      for (int b = a + 1; b < c_.degree(); ++b) {
-        if (!is_side(a, b) && std::find(diagonals.begin(), diagonals.end(), std::pair(a, b)) == diagonals.end()) continue;
-        const int c = apexes(diagonals, a, b)[0];
-        if (c >= 0) t.vertices.push_back({a, c, b});
-      }
-    return std::all_of(t.vertices.begin(), t.vertices.end(), [&](const auto& v) { return obeys_local_rule(t, v); });
-  }
-
-  bool edge_convex(const split_tree& t, int a, int b) const {
+  // The sides of the corner, then the diagonals, as edges of a triangulation.
+  int edge_number(std::span<const std::pair<int, int>> diagonals, int a, int b) const {
     if (a > b) std::swap(a, b);
-    if (b == a + 1) return c_.convex[a];
-    if (a == 0 && b == c_.degree() - 1) return c_.convex[b];
-    return std::find_if(t.edges.begin(), t.edges.end(), [&](const split_edge& e) { return e.a == a && e.b == b; })->convex;
+    if (b == a + 1) return a;
+    if (a == 0 && b == c_.degree() - 1) return b;
+    const auto found = std::find(diagonals.begin(), diagonals.end(), std::pair(a, b));
+    return found == diagonals.end() ? -1 : c_.degree() + static_cast<int>(found - diagonals.begin());
   }
 
-  // Design 03: with det > 0 all three edges run inside, or all outside, the third plane; with det < 0 neither. An edge
-  // is convex iff (det > 0) == (it runs inside).
-  bool obeys_local_rule(const split_tree& t, const std::array<int, 3>& v) const {
-    if (!meet(plane(v[0]), plane(v[1]), plane(v[2]))) return false;
-    const bool positive = k_.orientation(plane(v[0]), plane(v[1]), plane(v[2])) == sign::positive;
-    int inside = 0;
-    for (int r = 0; r < 3; ++r) inside += edge_convex(t, v[r], v[(r + 1) % 3]) == positive ? 1 : 0;
-    return positive == (inside == 0 || inside == 3);
+  // Builds the tree of a triangulation; false where it breaks the local rule. A triangle with two facets of one plane
+  // is no vertex: its two edges to the third facet are one.
+  bool make(std::span<const std::pair<int, int>> diagonals, split_tree& t) const {
+    const int n = c_.degree();
+    std::vector<int> same(static_cast<std::size_t>(n) + diagonals.size());
+    std::iota(same.begin(), same.end(), 0);
+    const auto root = [&same](int e) {
+      while (same[static_cast<std::size_t>(e)] != e) e = same[static_cast<std::size_t>(e)];
+      return e;
+    };
+    std::vector<std::array<int, 3>> opposite;  // edge numbers of the vertices
+    for (int a = 0; a < n; ++a)
+      for (int b = a + 1; b < n; ++b)
+        for (int c = b + 1; c < n; ++c) {
+          const std::array<int, 3> e = {edge_number(diagonals, b, c), edge_number(diagonals, a, c), edge_number(diagonals, a, b)};
+          if (e[0] < 0 || e[1] < 0 || e[2] < 0) continue;
+          const std::array<bool, 3> joined = {plane(b) == plane(c), plane(a) == plane(c), plane(a) == plane(b)};
+          const auto pairs = std::count(joined.begin(), joined.end(), true);
+          if (pairs > 1) return false;
+          if (pairs == 1) {
+            const int r = joined[0] ? 0 : (joined[1] ? 1 : 2);
+            same[static_cast<std::size_t>(root(e[(r + 1) % 3]))] = root(e[(r + 2) % 3]);
+            continue;
+          }
+          if (!meet(plane(a), plane(b), plane(c))) return false;
+          t.vertices.push_back({a, b, c});
+          opposite.push_back(e);
+        }
+    std::vector<int> number(same.size(), -1);
+    for (int e = 0; e < static_cast<int>(same.size()); ++e) {
+      const auto [a, b] = e < n ? std::pair(e, (e + 1) % n) : diagonals[static_cast<std::size_t>(e - n)];
+      if (plane(a) == plane(b)) continue;
+      int& id = number[static_cast<std::size_t>(root(e))];
+      if (id < 0) {
+        id = static_cast<int>(t.edges.size());
+        t.edges.push_back({a, b, true, {-1, -1}});
+      }
+      if (e < n) t.edges[static_cast<std::size_t>(id)].rays[t.edges[static_cast<std::size_t>(id)].rays[0] < 0 ? 0 : 1] = e;
+    }
+    for (const auto& e : opposite) {
+      auto& edges = t.vertex_edges.emplace_back();
+      for (int r = 0; r < 3; ++r) edges[r] = number[static_cast<std::size_t>(root(e[r]))];
+    }
+    t.operations.assign(diagonals.begin(), diagonals.end());
+    return vertices_differ(t) && set_convexity(t) && obeys_local_rule(t);
   }
 
-  // Adds the end of edge (a,b) at the vertex (a,b,third), counter-clockwise.
-  void add_segment(std::vector<segment>& edges, const split_tree& t, int a, int b, int third) const {
-    const plane_id p = std::min(plane(a), plane(b));
-    const plane_id q = std::max(plane(a), plane(b));
-    auto e = std::find_if(edges.begin(), edges.end(), [&](const segment& s) { return s.planes == std::array{p, q}; });
-    const bool convex = edge_convex(t, a, b);
-    if (e == edges.end()) e = edges.insert(edges.end(), segment{{p, q}, {-1, -1}, {false, false}, convex});
-    const bool positive = k_.orientation(plane(a), plane(b), plane(third)) == sign::positive;
-    const bool inside = convex == positive;
-    const int end = runs_inside(k_, p, q, plane(third), 0) == inside ? 0 : 1;
-    e->third[end] = plane(third);
-    e->inside[end] = inside;
+  // Three planes meet once: two vertices of the same planes would touch.
+  bool vertices_differ(const split_tree& t) const {
+    std::set<triple> seen;
+    for (const auto& v : t.vertices) {
+      triple planes = {plane(v[0]), plane(v[1]), plane(v[2])};
+      std::sort(planes.begin(), planes.end());
+      if (!seen.insert(planes).second) return false;
+    }
+    return true;
+  }
+
+  // An edge of the solid keeps its kind. A new one lies between two vertices, and design 03 tells: it is convex iff
+  // (det > 0) == (it runs inside), at either end. False where the two halves of one edge differ.
+  bool set_convexity(split_tree& t) const {
+    for (std::size_t i = 0; i < t.edges.size(); ++i) {
+      split_edge& e = t.edges[i];
+      if (e.rays[0] >= 0) {
+        e.convex = c_.convex[static_cast<std::size_t>(e.rays[0])];
+        if (e.rays[1] >= 0 && c_.convex[static_cast<std::size_t>(e.rays[1])] != e.convex) return false;
+        continue;
+      }
+      std::array<std::pair<std::size_t, int>, 2> ends;
+      int found = 0;
+      for (std::size_t v = 0; v < t.vertices.size(); ++v)
+        for (int r = 0; r < 3; ++r)
+          if (t.vertex_edges[v][r] == static_cast<int>(i)) {
+            if (found == 2) return false;
+            ends[static_cast<std::size_t>(found++)] = {v, r};
+          }
+      if (found != 2) return false;
+      const auto& [v, r] = ends[0];
+      const auto& w = t.vertices[ends[1].first];
+      const int third = t.vertices[v][r];
+      if (plane(third) == plane(w[ends[1].second])) return false;
+      e.convex = positive(t.vertices[v]) == (side(third, w[0], w[1], w[2]) == sign::positive);
+    }
+    return true;
+  }
+
+  // Design 03: with det > 0 all three edges run inside, or all outside, the third plane; with det < 0 neither.
+  bool obeys_local_rule(const split_tree& t) const {
+    for (std::size_t v = 0; v < t.vertices.size(); ++v) {
+      const bool up = positive(t.vertices[v]);
+      int inside = 0;
+      for (int r = 0; r < 3; ++r) inside += t.edges[static_cast<std::size_t>(t.vertex_edges[v][r])].convex == up ? 1 : 0;
+      if (up != (inside == 0 || inside == 3)) return false;
+    }
+    return true;
   }
 
   bool pierces(const segment& e, plane_id l, const std::vector<segment>& facet) const {
@@ -253,11 +319,14 @@ class splitter {
       for (const bool into : {true, false})
         if (const auto seen = look(k_, across, l, first, second, into, start_)) return *seen;
     }
-    const auto at = static_cast<std::size_t>(std::find(c_.facets.begin(), c_.facets.end(), l) - c_.facets.begin());
     const std::size_t n = c_.facets.size();
-    const std::size_t before = (at + n - 1) % n;
-    const bool positive = k_.orientation(c_.facets[before], l, c_.facets[(at + 1) % n]) == sign::positive;
-    return (c_.convex[at] == positive) != c_.convex[before];
+    for (std::size_t at = 0; at < n; ++at) {
+      if (c_.facets[at] != l) continue;
+      const std::size_t before = (at + n - 1) % n;
+      const bool up = k_.orientation(c_.facets[before], l, c_.facets[(at + 1) % n]) == sign::positive;
+      if ((c_.convex[at] == up) != c_.convex[before]) return true;
+    }
+    return false;
   }
 
   bool better(const split_tree& s, const split_tree& t, split_preference preference) const {
@@ -265,7 +334,7 @@ class splitter {
       case split_preference::convex:
         return s.convex_edges() > t.convex_edges();
       case split_preference::reflex:
-        return s.convex_edges() < t.convex_edges();
+        return s.reflex_edges() > t.reflex_edges();
       case split_preference::min_volume:
         return k_.compare_volume(planes(s), planes(t)) == sign::negative;
       case split_preference::max_volume:
