@@ -5,8 +5,10 @@
 /// The JSON that the program writes.
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
+#include "osteon/contract.hpp"
 #include "osteon/kernel/integer.hpp"
 #include "osteon/kernel/locate.hpp"
 #include "osteon/skeleton.hpp"
@@ -23,8 +25,12 @@ inline json events_document(const skeleton& s) {
   return events;
 }
 
+inline json counts_document(const contracted_skeleton& s) {
+  return {{"nodes", s.nodes.size()}, {"arcs", s.arcs.size()}, {"sheets", s.sheets.size()}, {"cells", s.cells}};
+}
+
 /// The whole skeleton. Exact numbers are strings; `time` and `point` are rounded to doubles, in the units of the input.
-inline json skeleton_document(const solid<integer>& of, const skeleton& s) {
+inline json skeleton_document(const solid<integer>& of, const skeleton& s, const std::optional<contracted_skeleton>& exact) {
   const locator where(of.planes);
   const rational unit = [&] {
     const auto power = [](int base, int exponent) {
@@ -68,6 +74,13 @@ inline json skeleton_document(const solid<integer>& of, const skeleton& s) {
   doc["sheets"] = json::array();
   for (const auto& t : s.sheets) doc["sheets"].push_back({{"facets", t.facets}, {"polygon", t.polygon}, {"arcs", t.arcs}});
   doc["cells"] = s.cells;
+  if (exact) {
+    json& c = doc["contracted"];
+    c = {{"nodes", json::array()}, {"arcs", json::array()}, {"sheets", json::array()}};
+    for (const auto& n : exact->nodes) c["nodes"].push_back({{"raw", n.raw}, {"arcs", n.arcs}});
+    for (const auto& a : exact->arcs) c["arcs"].push_back({{"source", a.source}, {"target", a.target}, {"cells", a.cells}, {"sheets", a.sheets}});
+    for (const auto& t : exact->sheets) c["sheets"].push_back({{"facets", t.facets}, {"raw", t.raw}, {"arcs", t.arcs}});
+  }
   return doc;
 }
 

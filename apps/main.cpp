@@ -20,11 +20,13 @@
 #include <vector>
 
 #include "documents.hpp"
+#include "osteon/contract.hpp"
 #include "osteon/kernel/double.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/rational.hpp"
 #include "osteon/kernel/sqrt.hpp"
+#include "osteon/models.hpp"
 #include "osteon/obj.hpp"
 #include "osteon/propagate.hpp"
 #include "osteon/solid.hpp"
@@ -72,6 +74,21 @@ struct model {
     return make_solid(std::move(m));
   }
 };
+
+/// A raw skeleton and, where the kernel is exact, the contracted one.
+struct both_skeletons {
+  skeleton raw;
+  std::optional<contracted_skeleton> exact;
+};
+
+template <kernel K>
+both_skeletons compute(const perturbed<K>& k, const boundary& b, const options& o) {
+  both_skeletons result{straight_skeleton(k, b, o), std::nullopt};
+  result.exact = contract(k.base(), result.raw);
+  return result;
+}
+
+inline both_skeletons compute(const double_kernel& k, const boundary& b, const options& o) { return {straight_skeleton(k, b, o), std::nullopt}; }
 
 /// Calls body with the named kernel. The exact ones are filtered and perturbed, so that no input is degenerate.
 template <class Body>
@@ -123,21 +140,23 @@ struct skeleton_command {
     o.prefer = preferences.at(prefer);
     o.saddle = saddle.empty() ? default_saddle(o.prefer) : saddles.at(saddle);
     const auto begin = std::chrono::steady_clock::now();
-    const skeleton result = with_kernel(kernel, s.planes, [&](const auto& k) { return straight_skeleton(k, s.boundary, o); });
+    const both_skeletons both = with_kernel(kernel, s.planes, [&](const auto& k) { return compute(k, s.boundary, o); });
+    const skeleton& result = both.raw;
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    if (!output.empty()) write_file(output, skeleton_document(s, result).dump() + "\n");
+    if (!output.empty()) write_file(output, skeleton_document(s, result, both.exact).dump() + "\n");
     if (summary) {
       json doc;
       doc["input"] = {{"vertices", s.boundary.vertices.size()}, {"edges", s.boundary.edges.size()}, {"facets", s.facets}};
       doc["kernel"] = kernel;
       doc["prefer"] = prefer;
       doc["raw"] = {{"nodes", result.nodes.size()}, {"arcs", result.arcs.size()}, {"sheets", result.sheets.size()}};
+      if (both.exact) doc["skeleton"] = counts_document(*both.exact);
       doc["events"] = events_document(result);
       doc["ambiguous"] = result.ambiguous;
       doc["seconds"] = took.count();
       fmt::print("{}\n", doc.dump());
     } else if (output.empty()) {
-      fmt::print("{}\n", skeleton_document(s, result).dump());
+      fmt::print("{}\n", skeleton_document(s, result, both.exact).dump());
     }
   }
 };
@@ -205,6 +224,48 @@ struct splits_command {
   }
 };
 
+struct generate_command {
+  std::string kind;
+  std::string output;
+  std::optional<int> size;
+  std::uint64_t seed = 1;
+
+  void add_to(CLI::App& program) {
+    CLI::App* c = program.add_subcommand("generate", "write a model of the project as OBJ");
+    std::vector<std::string> known;
+    std::string list = "Kinds and the meaning of --size:\n";
+    for (const auto& k : models::kinds()) {
+      known.push_back(k.name);
+      list += fmt::format("  {:15} {} (default {})\n", k.name, k.size, k.default_size);
+    }
+    c->add_option("KIND", kind, "what to make")->required()->check(CLI::IsMember(known));
+    c->add_option("--size", size, "see below")->check(CLI::Range(1, 1000));
+    c->add_option("--seed", seed, "for the random ones")->capture_default_str();
+    c->add_option("-o,--output", output, "the file; standard output where it is missing");
+    c->footer(list + "Example:\n  osteon generate voxels --size 6 --seed 7 -o voxels.obj");
+    c->callback([this] { run(); });
+  }
+
+  void run() const {
+    const auto& all = models::kinds();
+    const auto& k = *std::find_if(all.begin(), all.end(), [this](const auto& x) { return x.name == kind; });
+    const int n = size.value_or(k.default_size);
+    if (n < k.least_size) throw CLI::ValidationError("--size", fmt::format("{} needs a size of at least {}", kind, k.least_size));
+    std::string text = fmt::format("# osteon generate {} --size {} --seed {}\n", kind, n, seed);
+    const auto m = k.make(n, seed).take<integer>();
+    for (const auto& p : m.points) text += fmt::format("v {} {} {}\n", p[0].mantissa.str(), p[1].mantissa.str(), p[2].mantissa.str());
+    for (const auto& f : m.facets) {
+      text += "f";
+      for (const int corner : f) text += fmt::format(" {}", corner + 1);
+      text += "\n";
+    }
+    if (output.empty())
+      fmt::print("{}", text);
+    else
+      write_file(output, text);
+  }
+};
+
 int run(int argc, char** argv) {
   CLI::App program("Exact straight skeletons of polyhedra.", "osteon");
   program.require_subcommand(1);
@@ -216,6 +277,8 @@ int run(int argc, char** argv) {
   skeletons.add_to(program);
   splits_command splits;
   splits.add_to(program);
+  generate_command generate;
+  generate.add_to(program);
   try {
     program.parse(argc, argv);
     return done;

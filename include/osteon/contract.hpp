@@ -47,7 +47,7 @@ struct contracted_skeleton {
 template <kernel K>
 class contraction {
  public:
-  contraction(const K& k, const boundary& solid, const skeleton& raw) : k_(k), solid_(solid), raw_(raw) {}
+  contraction(const K& k, const skeleton& raw) : k_(k), raw_(raw) {}
 
   /// Cost: linear plus, for nodes of one moment, their pairs, and for arcs the nodes within their time.
   contracted_skeleton run() {
@@ -189,8 +189,8 @@ class contraction {
     has_area_.assign(raw_.sheets.size(), false);
     for (std::size_t s = 0; s < raw_.sheets.size(); ++s)
       if (raw_.sheets[s].input_edge >= 0) has_area_[static_cast<std::size_t>(polygon_of(static_cast<int>(s)))] = true;
-    for (const auto& [ends, content] : stretches_)
-      for (const auto& [polygon, times] : content.polygons)
+    for (const auto& [ends, on] : stretches_)
+      for (const auto& [polygon, times] : on.polygons)
         if (times % 2 != 0) has_area_[static_cast<std::size_t>(polygon)] = true;
   }
 
@@ -226,7 +226,7 @@ class contraction {
   void collect() {
     std::vector<int> node_of(places_.size(), -1);
     std::vector<bool> used(places_.size());
-    for (const auto& [ends, content] : stretches_) used[static_cast<std::size_t>(ends.first)] = used[static_cast<std::size_t>(ends.second)] = true;
+    for (const auto& [ends, on] : stretches_) used[static_cast<std::size_t>(ends.first)] = used[static_cast<std::size_t>(ends.second)] = true;
     for (std::size_t p = 0; p < places_.size(); ++p) {
       if (!used[p] && places_[p].when) continue;
       node_of[p] = static_cast<int>(result_.nodes.size());
@@ -243,11 +243,11 @@ class contraction {
       }
       result_.sheets[static_cast<std::size_t>(id)].raw.push_back(polygon);
     }
-    for (const auto& [ends, content] : stretches_) {
+    for (const auto& [ends, on] : stretches_) {
       const int id = static_cast<int>(result_.arcs.size());
       contracted_skeleton::arc arc{
-          node_of[static_cast<std::size_t>(ends.first)], node_of[static_cast<std::size_t>(ends.second)], cells_at(content.polygons), {}};
-      for (const auto& [polygon, times] : content.polygons) {
+          node_of[static_cast<std::size_t>(ends.first)], node_of[static_cast<std::size_t>(ends.second)], cells_at(on.polygons), {}};
+      for (const auto& [polygon, times] : on.polygons) {
         // On both sides of the arc, or on one; whiskers of no width cancel.
         const int sheet = sheet_of[static_cast<std::size_t>(root(polygon))];
         for (int i = 0; i < (times % 2 == 0 ? 2 : 1); ++i) arc.sheets.push_back(sheet);
@@ -258,11 +258,10 @@ class contraction {
         if (i == 0 || arc.sheets[i] != arc.sheets[i - 1]) result_.sheets[static_cast<std::size_t>(arc.sheets[i])].arcs.push_back(id);
       result_.arcs.push_back(std::move(arc));
     }
-    result_.cells = solid_.planes;
+    result_.cells = static_cast<int>(std::count_if(raw_.cells.begin(), raw_.cells.end(), [](const auto& c) { return !c.empty(); }));
   }
 
   const K& k_;
-  const boundary& solid_;
   const skeleton& raw_;
   std::vector<place> places_;
   std::vector<std::vector<int>> members_;
@@ -275,8 +274,8 @@ class contraction {
 
 /// The exact skeleton behind a raw one. `k` is the kernel below the perturbation.
 template <kernel K>
-contracted_skeleton contract(const K& k, const boundary& solid, const skeleton& raw) {
-  return contraction<K>(k, solid, raw).run();
+contracted_skeleton contract(const K& k, const skeleton& raw) {
+  return contraction<K>(k, raw).run();
 }
 
 }  // namespace osteon

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -318,10 +319,11 @@ inline builder between_profiles(const std::vector<std::array<long, 2>>& f, const
   return b;
 }
 
-/// Held's convex solid with n facets above and n below: its skeleton has about n^2 elements (Held 1994, thesis 3.1).
+/// Held's convex solid with n facets above and n below, a thin lens: almost every facet above meets every one below, so that
+/// its skeleton has about n^2 sheets (Held 1994, thesis 3.1).
 inline builder held(int n) {
   std::vector<std::array<long, 2>> arch;
-  for (long i = 0; i <= n; ++i) arch.push_back({4 * (2 * i - n), 8L * n * n - (2 * i - n) * (2 * i - n)});
+  for (long i = 0; i <= n; ++i) arch.push_back({100 * (2 * i - n), 2L * n * n - (2 * i - n) * (2 * i - n)});
   return between_profiles(arch, arch);
 }
 
@@ -504,6 +506,63 @@ inline builder stellated_cube(long s, long h) {
       for (int i = 0; i < 4; ++i) b.facet({c[i], c[(i + 1) % 4], apex});
     }
   return b;
+}
+
+// ---- by name
+
+/// What `osteon generate` knows: a name, what `size` means there, its default, and the solid of a size and a seed.
+struct kind {
+  std::string name;
+  std::string size;
+  int default_size;
+  int least_size;
+  std::function<builder(int, std::uint64_t)> make;
+};
+
+inline const std::vector<kind>& kinds() {
+  static const std::vector<kind> all = {
+      {"box", "the three sides are random up to this", 10, 1,
+       [](int n, std::uint64_t s) {
+         dice d(s);
+         return box(d.between(1, n), d.between(1, n), d.between(1, n));
+       }},
+      {"cube", "side", 1, 1, [](int n, std::uint64_t) { return box(n, n, n); }},
+      {"prism", "corners of the regular base", 6, 3,
+       [](int n, std::uint64_t) {
+         polygon p;
+         for (int i = 0; i < n; ++i) p.push_back(on_circle(i, n, 1000));
+         return prism(p, 800);
+       }},
+      {"stairs", "steps", 5, 1, [](int n, std::uint64_t) { return stairs(n); }},
+      {"notched-box", "depth of the notch, below 6", 3, 1, [](int n, std::uint64_t) { return notched_box(std::min(n, 5)); }},
+      {"house-l", "no meaning", 1, 1, [](int, std::uint64_t) { return house("##|#."); }},
+      {"house-t", "no meaning", 1, 1, [](int, std::uint64_t) { return house("###|.#."); }},
+      {"house-u", "no meaning", 1, 1, [](int, std::uint64_t) { return house("###|#.#"); }},
+      {"house-x", "no meaning", 1, 1, [](int, std::uint64_t) { return house(".#.|###|.#."); }},
+      {"towers", "towers a side", 3, 1, [](int n, std::uint64_t s) { return towers(n, s); }},
+      {"voxels", "cubes a side; fill and size vary with the seed", 4, 1,
+       [](int n, std::uint64_t s) {
+         dice d(s);
+         const std::array<int, 3> size = {static_cast<int>(d.between(1, n)), static_cast<int>(d.between(1, n)), static_cast<int>(d.between(1, n))};
+         const int percent = static_cast<int>(d.between(25, 90));
+         return random_voxels(size, percent, s).surface();
+       }},
+      {"tetrahedron", "no meaning", 1, 1, [](int, std::uint64_t) { return tetrahedron(); }},
+      {"octahedron", "radius", 1, 1, [](int n, std::uint64_t) { return octahedron(n); }},
+      {"antiprism", "corners of each base", 6, 3, [](int n, std::uint64_t) { return twisted_prism(n, false); }},
+      {"twisted-prism", "corners of each base; 3 gives Schoenhardt's solid", 5, 3, [](int n, std::uint64_t) { return twisted_prism(n, true); }},
+      {"cut-cube", "half a side; corners are cut at distance 1", 3, 2, [](int n, std::uint64_t) { return cut_cube(n, 1); }},
+      {"stellated-cube", "height of the pyramids on a cube of side 4", 2, 1, [](int n, std::uint64_t) { return stellated_cube(2, n); }},
+      {"frame", "side of the hole", 1, 1, [](int n, std::uint64_t) { return frame(n); }},
+      {"held", "facets above and below", 5, 2, [](int n, std::uint64_t) { return held(n); }},
+      {"pizza-box", "grooves above and below", 3, 1, [](int n, std::uint64_t) { return pizza_box(n); }},
+      {"crossing-bars", "bars each way", 2, 1, [](int n, std::uint64_t) { return crossing_bars(n); }},
+      {"spiked-plate", "pyramids a side", 2, 1, [](int n, std::uint64_t) { return spiked_plate(n); }},
+      {"saddle", "no meaning", 1, 1, [](int, std::uint64_t) { return saddle(); }},
+      {"star", "points", 5, 3, [](int n, std::uint64_t s) { return star(n, s); }},
+      {"cone", "degree of the apex", 8, 3, [](int n, std::uint64_t s) { return cone(n, s); }},
+  };
+  return all;
 }
 
 }  // namespace osteon::models
