@@ -97,10 +97,10 @@ model voxels(const std::set<std::array<int, 3>>& cells) {
   return m;
 }
 
-void expect_counts(const solid<integer>& s, std::size_t vertices, std::size_t edges, int facets, std::size_t planes) {
+void expect_counts(const solid<integer>& s, std::size_t vertices, std::size_t edges, int facet_count, std::size_t planes) {
   EXPECT_EQ(s.boundary.vertices.size(), vertices);
   EXPECT_EQ(s.boundary.edges.size(), edges);
-  EXPECT_EQ(s.facets, facets);
+  EXPECT_EQ(s.facets, facet_count);
   EXPECT_EQ(s.planes.size(), planes);
   EXPECT_EQ(static_cast<std::size_t>(s.boundary.planes), planes);
   EXPECT_EQ(s.input_points.size(), vertices);

@@ -45,10 +45,12 @@ struct plane_hash {
 ///  K1 orientation changes its sign with every transposition; it is zero iff the normals are linearly dependent.
 ///  K2 closing, meet and side do not depend on the order of their planes beyond what is stated.
 ///  K3 compare is a total preorder: antisymmetric, transitive.
-///  K4 nothing changes when a plane's equation is multiplied by a positive number.
+///  K4 nothing changes when a plane's equation is multiplied by a positive number (adaptors that perturb: where the
+///     unperturbed answer is not zero).
 template <class K>
-concept kernel = requires(const K& k, plane_id a, plane_id b, plane_id c, plane_id d, const quadruple& q, const typename K::meeting& m,
-                          const typename K::bisector_type& e, std::span<const triple> tree) {
+concept kernel = std::copyable<typename K::meeting> &&
+    requires(const K& k, plane_id a, plane_id b, plane_id c, plane_id d, const quadruple& q, const typename K::meeting& m,
+             const typename K::bisector_type& e, std::span<const triple> tree) {
   // Whether every answer is the true one for the planes as given (for a rational kernel: for its rational speeds). An
   // inexact kernel may contradict itself; algorithms then end with undecided_error instead of an assertion.
   { K::exact } -> std::convertible_to<bool>;

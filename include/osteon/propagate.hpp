@@ -9,7 +9,6 @@
 #include <numeric>
 #include <optional>
 #include <queue>
-#include <ranges>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -75,7 +74,7 @@ class propagation {
     const K* k;
     bool operator()(const meeting& m, const meeting& n) const {
       const sign s = k->compare(m, n);
-      return s != sign::zero ? s == sign::positive : k->planes(m) > k->planes(n);
+      return s != sign::zero ? s == sign::positive : quadruple(k->planes(m)) > quadruple(k->planes(n));
     }
   };
 
@@ -360,7 +359,9 @@ class propagation {
       if (s != r) others[n++] = q[s];
     if (!k_.transversal(q[r], others[0], others[1])) std::swap(others[1], others[2]);
     if (!k_.transversal(q[r], others[0], others[1])) std::swap(others[0], others[2]);
-    const auto edges = ids | std::views::transform([this](int e) -> const segment& { return front_.edges()[e]; });
+    std::vector<segment> edges;
+    edges.reserve(ids.size());
+    for (const int e : ids) edges.push_back(front_.edges()[e]);
     return look(k_, edges, q[r], others[0], others[1], true, m, others[2]).value_or(false);
   }
 

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -314,8 +313,8 @@ class splitter {
   bool in_facet(plane_id l, const std::vector<segment>& facet, plane_id i, plane_id j) const {
     for (const auto& [first, second] : {std::pair(i, j), std::pair(j, i)}) {
       std::vector<segment> across;
-      std::copy_if(facet.begin(), facet.end(), std::back_inserter(across),
-                   [&](const segment& e) { return e.other(l) != first && meet(l, first, e.other(l)); });
+      for (const segment& e : facet)
+        if (e.other(l) != first && meet(l, first, e.other(l))) across.push_back(e);
       for (const bool into : {true, false})
         if (const auto seen = look(k_, across, l, first, second, into, start_)) return *seen;
     }

@@ -5,6 +5,7 @@
 /// Floating-point numbers that know how wrong they may be.
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -35,7 +36,8 @@ struct estimate {
   estimate() = default;
   estimate(double v, double s, bool e) : value(v), scale(s), exact(e) {}
   explicit estimate(int x) : value(x), scale(std::abs(x)), exact(true) {}
-  static estimate input(double x, bool exact) { return {x, std::abs(x), exact}; }
+  /// Nothing is certain of expressions in inputs that are not `fit`.
+  static estimate input(double x, bool exact, bool fit = true) { return {x, fit ? std::abs(x) : std::numeric_limits<double>::infinity(), exact}; }
 
   friend estimate operator+(const estimate& a, const estimate& b) { return {a.value + b.value, a.scale + b.scale, a.exact && b.exact}; }
   friend estimate operator-(const estimate& a, const estimate& b) { return {a.value - b.value, a.scale + b.scale, a.exact && b.exact}; }
@@ -59,11 +61,11 @@ class estimated_planes {
 
   plane_id size() const { return static_cast<plane_id>(planes_.size()); }
   const rounded_plane& plane(plane_id i) const { return planes_[i]; }
-  estimate n(plane_id i, int axis) const { return estimate::input(planes_[i].n[axis], planes_[i].exact); }
-  estimate d(plane_id i) const { return estimate::input(planes_[i].d, planes_[i].exact); }
-  estimate u(plane_id i, int axis) const { return estimate::input(planes_[i].u[axis], planes_[i].exact); }
-  estimate delta(plane_id i) const { return estimate::input(planes_[i].delta, planes_[i].exact); }
-  estimate speed(plane_id i) const { return estimate::input(planes_[i].speed, planes_[i].exact); }
+  estimate n(plane_id i, int axis) const { return estimate::input(planes_[i].n[axis], planes_[i].exact, planes_[i].fit); }
+  estimate d(plane_id i) const { return estimate::input(planes_[i].d, planes_[i].exact, planes_[i].fit); }
+  estimate u(plane_id i, int axis) const { return estimate::input(planes_[i].u[axis], planes_[i].exact, planes_[i].tilt_fit); }
+  estimate delta(plane_id i) const { return estimate::input(planes_[i].delta, planes_[i].exact, planes_[i].tilt_fit); }
+  estimate speed(plane_id i) const { return estimate::input(planes_[i].speed, planes_[i].exact, planes_[i].fit); }
 
   estimate value(const linear_form<estimate>& f) const {
     estimate sum(0);

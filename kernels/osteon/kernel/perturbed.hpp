@@ -3,7 +3,8 @@
 
 /// \file
 /// perturbed<K>: symbolic perturbation in two levels, first of the offsets, then of the normals (design 04). No
-/// predicate is ever zero and all events have one strict order; where K is not zero nothing changes and little is added to the cost.
+/// predicate about different planes is ever zero and all events have one strict order; where K is not zero nothing changes and little is added to the
+/// cost.
 
 #include <array>
 #include <optional>
@@ -36,6 +37,7 @@ class perturbed {
   plane_id size() const { return k_.size(); }
   sign orientation(plane_id a, plane_id b, plane_id c) const {
     const sign s = k_.orientation(a, b, c);
+    if (a == b || b == c || a == c) return sign::zero;
     return s != sign::zero ? s : leading([&](int g) { return k_.orientation_at(g, {a, b, c}); }, 2).value;
   }
   bool transversal(plane_id a, plane_id b, plane_id c) const { return k_.transversal(a, b, c); }
@@ -71,6 +73,7 @@ class perturbed {
     const quadruple q{a, b, c, d};
     const quadruple r = planes(m);
     if (r == start_planes) return at_start(q) * corner;
+    if (ascending(q) == r) return sign::zero;
     if (m.regular && k_.transversal(a, b, c)) {
       const sign s = k_.side(d, a, b, c, m.base);
       if (s != sign::zero) return s;

@@ -15,7 +15,10 @@ class rational_arithmetic : public integer_planes {
 
   explicit rational_arithmetic(std::span<const moving_plane<integer>> planes) : integer_planes(planes) {
     square_classes roots;
-    for (plane_id i = 0; i < size(); ++i) speeds_.push_back(roots.scaled(roots.add(dot(i, i), plane(i).weight), 64));
+    for (plane_id i = 0; i < size(); ++i) {
+      const integer g = gcd(n(i, 0), gcd(n(i, 1), n(i, 2)));  // rounds multiples of one equation alike (K4)
+      speeds_.push_back(g * roots.scaled(roots.add(dot(i, i) / (g * g), plane(i).weight), 64));
+    }
   }
 
   using integer_planes::decide;

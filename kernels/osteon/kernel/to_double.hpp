@@ -25,6 +25,8 @@ struct rounded_plane {
   std::array<double, 3> u;
   double delta;
   bool exact;
+  bool fit;       ///< n and d are zero or so great that no product in the formulas underflows
+  bool tilt_fit;  ///< and so are u and delta
 };
 
 /// x * 2^-shift rounded.
@@ -35,6 +37,9 @@ inline double to_double(const integer& x, int shift) {
 }
 
 inline int bit_length(const integer& x) { return x == 0 ? 0 : static_cast<int>(msb(abs(x))) + 1; }
+
+/// Whether x * 2^-shift is zero or at least 2^-120, so that a product of eight such numbers is a normal number.
+inline bool is_fit(const integer& x, int shift) { return x == 0 || bit_length(x) - shift > -120; }
 
 /// Rounds planes. Products of seven normals and an offset must neither overflow nor lose bits to underflow, so where
 /// numbers are long each plane is scaled by a power of two (K4: that changes no sign) and so are all offsets together
@@ -64,6 +69,9 @@ inline std::vector<rounded_plane> round_planes(std::span<const moving_plane<inte
     const auto small = [](const integer& x) { return bit_length(x) <= 53; };
     r.exact = shifts[i] == 0 && offset_shift == 0 && small(p.n[0]) && small(p.n[1]) && small(p.n[2]) && small(p.d) && is_square(squared) &&
               small(isqrt(squared));
+    const int shift = shifts[i];
+    r.fit = is_fit(p.n[0], shift) && is_fit(p.n[1], shift) && is_fit(p.n[2], shift) && is_fit(p.d, shift + offset_shift);
+    r.tilt_fit = shift + offset_shift < 120;
     result.push_back(r);
   }
   return result;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "osteon/error.hpp"
 #include "osteon/kernel.hpp"
 
 namespace osteon {
@@ -28,9 +29,11 @@ bool visit_volume(std::span<const triple> tree, const std::array<Number, 3>& c, 
     const std::array<Number, 3> a = normal(t[0]);
     const std::array<Number, 3> b = normal(t[1]);
     const std::array<Number, 3> d = normal(t[2]);
+    const Number corner = det(a, b, d);
+    if (corner == 0) throw degenerate_error({t[0], t[1], t[2]}, "the volume at a corner (it lies at infinity)");
     const std::array<Number, 3> m = {det(c, b, d), det(a, c, d), det(a, b, c)};
     if (m[0] == 0 || m[1] == 0 || m[2] == 0) return false;
-    visit(t, m, det(a, b, d));
+    visit(t, m, corner);
   }
   return true;
 }
