@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -20,7 +21,8 @@
 
 namespace osteon {
 
-/// The exact skeleton. Arcs and sheets of any degree; arcs are where at least three cells meet.
+/// The exact skeleton. Arcs and sheets of any degree. Arcs are where at least three cells meet; a sheet is a maximal connected part
+/// of the common border of two cells, so an arc may lie within it, and it may be pinched at an arc or a node.
 struct contracted_skeleton {
   struct node {
     std::vector<int> raw;  ///< the nodes of the raw skeleton at this place, ascending
@@ -30,7 +32,7 @@ struct contracted_skeleton {
     int source;  ///< not later than the target
     int target;
     std::vector<plane_id> cells;  ///< the facets whose cells meet here, ascending
-    std::vector<int> sheets;      ///< ascending; a sheet that meets itself here is listed twice
+    std::vector<int> sheets;      ///< ascending; a sheet on both sides is listed twice
   };
   struct sheet {
     std::array<plane_id, 2> facets;
@@ -54,7 +56,8 @@ class contraction {
     merge_nodes();
     subdivide_arcs();
     find_sheets();
-    join_over_false_arcs();
+    settle_stretches();
+    join_sheets();
     collect();
     return std::move(result_);
   }
@@ -200,17 +203,150 @@ class contraction {
     return polygon;
   }
 
-  // Where only two cells meet there is no arc: the polygons on both sides are one sheet.
-  void join_over_false_arcs() {
-    for (auto at = stretches_.begin(); at != stretches_.end();) {
-      auto& polygons = at->second.polygons;
-      std::erase_if(polygons, [this](const auto& p) { return !has_area_[static_cast<std::size_t>(p.first)]; });
-      if (cells_at(polygons).size() >= 3) {
-        ++at;
-        continue;
+  // The perturbation may leave an arc just beside a sheet that contains it in the limit, or a spike of no width along
+  // an arc. So what a polygon has to do with a stretch is decided anew: a border (once), inside (on both sides), nothing.
+  void settle_stretches() {
+    std::vector<std::set<plane_id>> planes(places_.size());
+    for (const auto& a : raw_.arcs)
+      for (const int n : {a.source, a.target})
+        planes[static_cast<std::size_t>(place_of_[static_cast<std::size_t>(n)])].insert(a.planes.begin(), a.planes.end());
+    std::map<std::array<plane_id, 2>, std::vector<int>> polygons;
+    for (std::size_t s = 0; s < raw_.sheets.size(); ++s)
+      if (has_area_[s]) polygons[raw_.sheets[s].facets].push_back(static_cast<int>(s));
+    std::map<int, std::vector<stretch>> borders;
+    for (const auto& [ends, on] : stretches_)
+      for (const auto& [polygon, times] : on.polygons)
+        if (times % 2 != 0) borders[polygon].push_back(ends);
+    std::map<stretch, content> settled;
+    for (const auto& [ends, on] : stretches_) {
+      content& now = settled[ends];
+      std::vector<plane_id> through;
+      const auto& first = planes[static_cast<std::size_t>(ends.first)];
+      const auto& second = planes[static_cast<std::size_t>(ends.second)];
+      std::set_union(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(through));
+      std::erase_if(through, [&](plane_id p) { return !at(ends.first, p, planes) || !at(ends.second, p, planes); });
+      for (const plane_id a : through)
+        for (const plane_id b : through) {
+          const auto found = a < b ? polygons.find({a, b}) : polygons.end();
+          if (found == polygons.end()) continue;
+          for (const int polygon : found->second) {
+            const auto known = on.polygons.find(polygon);
+            const bool border = known != on.polygons.end() && known->second % 2 != 0;
+            if (border)
+              now.polygons[polygon] = 1;
+            else if ((known != on.polygons.end() || through.size() > 3) && contains(borders[polygon], ends, a, b, through))
+              now.polygons[polygon] = 2;
+          }
+        }
+    }
+    stretches_ = std::move(settled);
+  }
+
+  // Whether a stretch that is no border of a polygon between facets a and b lies inside it.
+  bool contains(const std::vector<stretch>& borders, const stretch& inner, plane_id a, plane_id b, const std::vector<plane_id>& through) const {
+    const auto transversal = [&](const auto& planes, plane_id p, plane_id q) {
+      const auto found = std::find_if(planes.begin(), planes.end(), [&](plane_id d) { return k_.orientation(p, q, d) != sign::zero; });
+      return found == planes.end() ? -1 : *found;
+    };
+    if (later(inner.second, inner.first)) {
+      const plane_id third = transversal(through, a, b);
+      return third >= 0 && contains_over_time(borders, inner, {a, b, third});
+    }
+    // All at one moment: the polygon lies in plane a. The stretch lies on the line of a and some plane c.
+    if (!std::all_of(borders.begin(), borders.end(),
+                     [&](const stretch& e) { return simultaneous(e.first, inner.first) && simultaneous(e.second, inner.first); }))
+      return false;
+    const auto& corner = places_[static_cast<std::size_t>(inner.first)].corner;
+    for (const plane_id c : through)
+      if (c != a && c != b && std::any_of(corner.begin(), corner.end(), [&](plane_id d) { return k_.orientation(a, c, d) != sign::zero; }))
+        return contains_now(borders, inner, a, c);
+    return false;
+  }
+
+  // Counts the borders met by the ray from within the stretch through its second end, moved a little to the inner side
+  // of c so that it meets no end of a border.
+  bool contains_now(const std::vector<stretch>& borders, const stretch& inner, plane_id a, plane_id c) const {
+    const auto& from = places_[static_cast<std::size_t>(inner.first)];
+    const auto& to = places_[static_cast<std::size_t>(inner.second)];
+    plane_id gate = -1;  // a plane through the second end that cuts the line
+    for (const plane_id d : to.corner)
+      if (side(d, from) != sign::zero) gate = d;
+    if (gate < 0) return false;
+    bool inside = false;
+    for (const auto& [x, y] : borders) {
+      const auto& p = places_[static_cast<std::size_t>(x)];
+      const auto& q = places_[static_cast<std::size_t>(y)];
+      const sign sp = side(c, p);
+      const sign sq = side(c, q);
+      if ((sp == sign::positive) == (sq == sign::positive)) continue;
+      sign beyond = sign::zero;
+      if (sp == sign::zero || sq == sign::zero) {
+        beyond = side(gate, sp == sign::zero ? p : q);
+      } else {
+        for (const plane_id e : cells_at(stretches_.at({x, y}).polygons))
+          if (k_.orientation(a, c, e) != sign::zero && side(e, p) == sign::zero && side(e, q) == sign::zero) {
+            beyond = e == gate ? sign::zero : k_.side(gate, a, c, e, *from.when);
+            break;
+          }
       }
-      for (const auto& p : polygons) root_[static_cast<std::size_t>(root(p.first))] = root(polygons.begin()->first);
-      at = stretches_.erase(at);
+      if (beyond != side(gate, from)) inside = !inside;
+    }
+    return inside;
+  }
+
+  // Whether a place lies on a plane at its moment; of vertices of the solid their own planes are known.
+  bool at(int number, plane_id p, const std::vector<std::set<plane_id>>& planes) const {
+    const auto& here = places_[static_cast<std::size_t>(number)];
+    return here.when ? side(p, here) == sign::zero : planes[static_cast<std::size_t>(number)].contains(p);
+  }
+
+  // Whether the corner of a stretch, on the line of its first two planes, is inside a polygon on that line: at a
+  // moment within, an odd number of the polygon's borders lies ahead.
+  bool contains_over_time(const std::vector<stretch>& borders, const stretch& inner, const triple& corner) const {
+    bool inside = false;
+    for (const auto& [x, y] : borders) {
+      const int begin = later(x, inner.first) ? x : inner.first;
+      const int end = later(y, inner.second) ? inner.second : y;
+      if (!later(end, begin) || (x == inner.first && y == inner.second)) continue;
+      const auto& last = places_[static_cast<std::size_t>(end)];
+      const plane_id c = third_plane(stretches_.at({x, y}), corner);
+      if (c < 0) continue;
+      const quadruple q = {corner[0], corner[1], corner[2], c};
+      const auto met = k_.meet(q);
+      const sign ahead = met ? (k_.compare(*met, *last.when) == sign::negative ? -slope(*met, c) : slope(*met, c))
+                             : k_.side(c, corner[0], corner[1], corner[2], *last.when);
+      if (ahead * k_.orientation(corner[0], corner[1], c) == sign::positive) inside = !inside;
+    }
+    return inside;
+  }
+
+  // A plane that cuts the line of the corner's first two planes where the stretch is.
+  plane_id third_plane(const content& on, const triple& corner) const {
+    for (const plane_id c : cells_at(on.polygons))
+      if (k_.orientation(corner[0], corner[1], c) != sign::zero && c != corner[2]) return c;
+    return -1;
+  }
+
+  // Sign of S / lambda_c: of the distance of the other three's corner from plane c before the meeting.
+  sign slope(const meeting& m, plane_id c) const {
+    const quadruple q = k_.planes(m);
+    const auto r = static_cast<std::size_t>(std::find(q.begin(), q.end(), c) - q.begin());
+    const triple t = {q[r == 0 ? 1 : 0], q[r <= 1 ? 2 : 1], q[r <= 2 ? 3 : 2]};
+    const sign lambda = k_.orientation(t[0], t[1], t[2]);
+    return k_.closing(m) * (r % 2 == 0 ? -lambda : lambda);
+  }
+
+  // Polygons of the same two facets that touch are one sheet; where only two cells meet there is no arc.
+  void join_sheets() {
+    std::map<std::pair<int, std::array<plane_id, 2>>, int> at_place;
+    for (auto at = stretches_.begin(); at != stretches_.end();) {
+      const auto& [ends, on] = *at;
+      for (const auto& [polygon, times] : on.polygons)
+        for (const int place_number : {ends.first, ends.second}) {
+          const auto known = at_place.emplace(std::pair(place_number, raw_.sheets[static_cast<std::size_t>(polygon)].facets), polygon).first;
+          root_[static_cast<std::size_t>(root(polygon))] = root(known->second);
+        }
+      at = cells_at(on.polygons).size() >= 3 ? std::next(at) : stretches_.erase(at);
     }
   }
 
@@ -248,9 +384,8 @@ class contraction {
       contracted_skeleton::arc arc{
           node_of[static_cast<std::size_t>(ends.first)], node_of[static_cast<std::size_t>(ends.second)], cells_at(on.polygons), {}};
       for (const auto& [polygon, times] : on.polygons) {
-        // On both sides of the arc, or on one; whiskers of no width cancel.
         const int sheet = sheet_of[static_cast<std::size_t>(root(polygon))];
-        for (int i = 0; i < (times % 2 == 0 ? 2 : 1); ++i) arc.sheets.push_back(sheet);
+        for (int i = 0; i < times; ++i) arc.sheets.push_back(sheet);
       }
       std::sort(arc.sheets.begin(), arc.sheets.end());
       for (const int n : {arc.source, arc.target}) result_.nodes[static_cast<std::size_t>(n)].arcs.push_back(id);

@@ -107,11 +107,16 @@ class intersection_search {
     int a, b;
     std::array<int, 2> facets;
   };
-  // A facet's plane in doubles: the side of a point farther away than `error` is certain.
+  // A facet's plane in doubles: the side of a point farther away than `error` is certain, else zero.
   struct rough_plane {
     std::array<double, 3> n;
     double d;
     double error;
+
+    sign side(const std::array<double, 3>& x) const {
+      const double h = n[0] * x[0] + n[1] * x[1] + n[2] * x[2] - d;
+      return h > error ? sign::positive : (h < -error ? sign::negative : sign::zero);
+    }
   };
 
   point2<Int> at(int p, const std::array<int, 2>& axes) const { return {s_.points[p][axes[0]], s_.points[p][axes[1]], Int(1)}; }
@@ -211,14 +216,7 @@ class intersection_search {
     }
   }
 
-  sign side(int p, int f) const {
-    const auto& [n, d, error] = planes_[f];
-    const auto& x = points_[p];
-    const double h = n[0] * x[0] + n[1] * x[1] + n[2] * x[2] - d;
-    if (h > error) return sign::positive;
-    if (h < -error) return sign::negative;
-    return is_corner(p, f) ? sign::zero : sign_of(Int(dot(s_.normals[f], s_.points[p]) - s_.offsets[f]));
-  }
+  sign side(int p, int f) const { return is_corner(p, f) ? sign::zero : sign_of(Int(dot(s_.normals[f], s_.points[p]) - s_.offsets[f])); }
 
   bool meets(const edge& e, int f) const {
     if (e.facets[0] == f || e.facets[1] == f) return false;  // seen by check_loop
@@ -304,35 +302,54 @@ class intersection_search {
       axis = candidate;
       fewest = overlaps;
     }
-    struct item {
+    // All that most pairs need, in the order of the sweep.
+    struct edge_item {
       box b;
+      std::array<std::array<double, 3>, 2> ends;
       int id;
     };
-    const auto sorted = [axis](const std::vector<box>& boxes) {
-      std::vector<item> items;
-      for (std::size_t i = 0; i < boxes.size(); ++i) items.push_back({boxes[i], static_cast<int>(i)});
-      std::sort(items.begin(), items.end(),
-                [axis](const item& x, const item& y) { return std::tie(x.b.lo[axis], x.id) < std::tie(y.b.lo[axis], y.id); });
-      return items;
+    struct facet_item {
+      box b;
+      rough_plane plane;
+      std::array<int, 3> corners;  // the first ones
+      int id;
     };
-    const auto facets = sorted(facet_boxes);
-    const auto edges = sorted(edge_boxes);
-    const auto test = [&](const item& e, const item& f) {
-      if (!e.b.overlaps(f.b) || !meets(edges_[e.id], f.id)) return false;
-      found_ = bad_contact{kind::edge, f.id, edges_[e.id].a, edges_[e.id].b};
+    std::vector<edge_item> edges;
+    std::vector<facet_item> facets;
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+      edges.push_back({edge_boxes[i], {points_[edges_[i].a], points_[edges_[i].b]}, static_cast<int>(i)});
+    for (std::size_t f = 0; f < facet_boxes.size(); ++f) {
+      const auto& loop = s_.facets[f];
+      facets.push_back({facet_boxes[f], planes_[f], {loop[0], loop[1], loop[2]}, static_cast<int>(f)});
+    }
+    const auto by_start = [axis](const auto& x, const auto& y) { return std::tie(x.b.lo[axis], x.id) < std::tie(y.b.lo[axis], y.id); };
+    std::sort(edges.begin(), edges.end(), by_start);
+    std::sort(facets.begin(), facets.end(), by_start);
+    const auto test = [&](const edge_item& e, const facet_item& f) {
+      if (!e.b.overlaps(f.b)) return false;
+      const sign sa = f.plane.side(e.ends[0]);
+      const sign sb = f.plane.side(e.ends[1]);
+      const edge& of = edges_[e.id];
+      if (sa != sign::zero && sa == sb) return false;
+      if (sa != sb && sa * sb == sign::zero) {  // an edge that leaves a corner of the facet
+        const int p = sa == sign::zero ? of.a : of.b;
+        if (p == f.corners[0] || p == f.corners[1] || p == f.corners[2]) return false;
+      }
+      if (!meets(of, f.id)) return false;
+      found_ = bad_contact{kind::edge, f.id, of.a, of.b};
       return true;
     };
     // Of a pair that overlaps along the axis, one starts within the other.
-    auto begin = edges.begin();
-    for (const item& f : facets) {
-      while (begin != edges.end() && begin->b.lo[axis] < f.b.lo[axis]) ++begin;
-      for (auto e = begin; e != edges.end() && e->b.lo[axis] <= f.b.hi[axis]; ++e)
+    auto first_edge = edges.begin();
+    for (const facet_item& f : facets) {
+      while (first_edge != edges.end() && first_edge->b.lo[axis] < f.b.lo[axis]) ++first_edge;
+      for (auto e = first_edge; e != edges.end() && e->b.lo[axis] <= f.b.hi[axis]; ++e)
         if (test(*e, f)) return;
     }
-    begin = facets.begin();
-    for (const item& e : edges) {
-      while (begin != facets.end() && begin->b.lo[axis] <= e.b.lo[axis]) ++begin;
-      for (auto f = begin; f != facets.end() && f->b.lo[axis] <= e.b.hi[axis]; ++f)
+    auto first_facet = facets.begin();
+    for (const edge_item& e : edges) {
+      while (first_facet != facets.end() && first_facet->b.lo[axis] <= e.b.lo[axis]) ++first_facet;
+      for (auto f = first_facet; f != facets.end() && f->b.lo[axis] <= e.b.hi[axis]; ++f)
         if (test(e, *f)) return;
     }
   }
