@@ -84,7 +84,7 @@ struct both_skeletons {
 template <kernel K>
 both_skeletons compute(const perturbed<K>& k, const boundary& b, const options& o) {
   both_skeletons result{straight_skeleton(k, b, o), std::nullopt};
-  result.exact = contract(k.base(), result.raw);
+  result.exact = contract(k.base(), b, result.raw);
   return result;
 }
 

@@ -23,7 +23,7 @@ using counts = std::array<std::size_t, 3>;
 counts contracted(const mesh<integer>& m, const options& o = {}) {
   const auto s = make_solid(m);
   const auto k = default_kernel(s);
-  const auto c = contract(k.base(), straight_skeleton(k, s.boundary, o));
+  const auto c = contract(k.base(), s.boundary, straight_skeleton(k, s.boundary, o));
   return {c.nodes.size(), c.arcs.size(), c.sheets.size()};
 }
 
@@ -58,7 +58,7 @@ TEST(Contraction, OfSolidsInGeneralPositionKeepsNodesAndArcs) {
     const auto s = make_solid(models::star(5, seed).take<integer>());
     const auto k = default_kernel(s);
     const auto raw = straight_skeleton(k, s.boundary);
-    const auto c = contract(k.base(), raw);
+    const auto c = contract(k.base(), s.boundary, raw);
     EXPECT_EQ(c.nodes.size(), raw.nodes.size());
     EXPECT_EQ(c.arcs.size(), raw.arcs.size());
     EXPECT_LE(c.sheets.size(), raw.sheets.size());

@@ -28,7 +28,7 @@ inline placed_skeleton placed(const mesh<integer>& m, const options& o = {}) {
   const auto s = make_solid(m);
   const auto k = default_kernel(s);
   const auto raw = straight_skeleton(k, s.boundary, o);
-  placed_skeleton result{contract(k.base(), raw), {}};
+  placed_skeleton result{contract(k.base(), s.boundary, raw), {}};
   const locator where(s.planes);
   const double unit = std::pow(10.0, s.ten) * std::pow(2.0, s.two);
   for (const auto& n : result.complex.nodes) {

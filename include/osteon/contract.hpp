@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "osteon/boundary.hpp"
 #include "osteon/error.hpp"
 #include "osteon/kernel.hpp"
 #include "osteon/skeleton.hpp"
@@ -49,7 +50,7 @@ struct contracted_skeleton {
 template <kernel K>
 class contraction {
  public:
-  contraction(const K& k, const skeleton& raw) : k_(k), raw_(raw) {}
+  contraction(const K& k, const boundary& solid, const skeleton& raw) : k_(k), solid_(solid), raw_(raw) {}
 
   /// Cost: linear plus, for nodes of one moment, their pairs, and for arcs the nodes within their time.
   contracted_skeleton run() {
@@ -206,10 +207,7 @@ class contraction {
   // The perturbation may leave an arc just beside a sheet that contains it in the limit, or a spike of no width along
   // an arc. So what a polygon has to do with a stretch is decided anew: a border (once), inside (on both sides), nothing.
   void settle_stretches() {
-    std::vector<std::set<plane_id>> planes(places_.size());
-    for (const auto& a : raw_.arcs)
-      for (const int n : {a.source, a.target})
-        planes[static_cast<std::size_t>(place_of_[static_cast<std::size_t>(n)])].insert(a.planes.begin(), a.planes.end());
+    const std::vector<std::vector<plane_id>> planes = planes_through_places();
     std::map<std::array<plane_id, 2>, std::vector<int>> polygons;
     for (std::size_t s = 0; s < raw_.sheets.size(); ++s)
       if (has_area_[s]) polygons[raw_.sheets[s].facets].push_back(static_cast<int>(s));
@@ -223,8 +221,7 @@ class contraction {
       std::vector<plane_id> through;
       const auto& first = planes[static_cast<std::size_t>(ends.first)];
       const auto& second = planes[static_cast<std::size_t>(ends.second)];
-      std::set_union(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(through));
-      std::erase_if(through, [&](plane_id p) { return !at(ends.first, p, planes) || !at(ends.second, p, planes); });
+      std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(through));
       for (const plane_id a : through)
         for (const plane_id b : through) {
           const auto found = a < b ? polygons.find({a, b}) : polygons.end();
@@ -294,10 +291,20 @@ class contraction {
     return inside;
   }
 
-  // Whether a place lies on a plane at its moment; of vertices of the solid their own planes are known.
-  bool at(int number, plane_id p, const std::vector<std::set<plane_id>>& planes) const {
-    const auto& here = places_[static_cast<std::size_t>(number)];
-    return here.when ? side(p, here) == sign::zero : planes[static_cast<std::size_t>(number)].contains(p);
+  // All planes that pass through each place at its moment, ascending.
+  std::vector<std::vector<plane_id>> planes_through_places() const {
+    std::vector<std::vector<plane_id>> result(places_.size());
+    for (std::size_t n = 0; n < places_.size(); ++n) {
+      if (const int vertex = raw_.nodes[static_cast<std::size_t>(members_[n][0])].vertex; vertex >= 0) {
+        result[n] = solid_.vertices[static_cast<std::size_t>(vertex)].facets;
+        std::sort(result[n].begin(), result[n].end());
+        result[n].erase(std::unique(result[n].begin(), result[n].end()), result[n].end());
+        continue;
+      }
+      for (plane_id p = 0; p < solid_.planes; ++p)
+        if (side(p, places_[n]) == sign::zero) result[n].push_back(p);
+    }
+    return result;
   }
 
   // Whether the corner of a stretch, on the line of its first two planes, is inside a polygon on that line: at a
@@ -397,6 +404,7 @@ class contraction {
   }
 
   const K& k_;
+  const boundary& solid_;
   const skeleton& raw_;
   std::vector<place> places_;
   std::vector<std::vector<int>> members_;
@@ -409,8 +417,8 @@ class contraction {
 
 /// The exact skeleton behind a raw one. `k` is the kernel below the perturbation.
 template <kernel K>
-contracted_skeleton contract(const K& k, const skeleton& raw) {
-  return contraction<K>(k, raw).run();
+contracted_skeleton contract(const K& k, const boundary& solid, const skeleton& raw) {
+  return contraction<K>(k, solid, raw).run();
 }
 
 }  // namespace osteon
