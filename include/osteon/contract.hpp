@@ -56,7 +56,7 @@ class contraction {
   contracted_skeleton run() {
     merge_nodes();
     subdivide_arcs();
-    find_sheets();
+    find_pieces();
     settle_stretches();
     join_sheets();
     collect();
@@ -72,10 +72,11 @@ class contraction {
     triple corner;
   };
 
-  // A stretch between neighbouring places and the polygons on it, with multiplicity.
+  // A stretch between neighbouring places; the raw polygons on it, and the pieces of sheets, with multiplicity.
   using stretch = std::pair<int, int>;
   struct content {
-    std::map<int, int> polygons;
+    std::map<int, int> raw;
+    std::map<int, int> pieces;
   };
 
   // ---- nodes
@@ -136,7 +137,7 @@ class contraction {
       for (const int p : between(a.planes, from, to)) stops.push_back(p);
       stops.push_back(to);
       for (std::size_t i = 1; i < stops.size(); ++i) {
-        auto& polygons = stretches_[std::minmax(stops[i - 1], stops[i])].polygons;
+        auto& polygons = stretches_[std::minmax(stops[i - 1], stops[i])].raw;
         for (const int s : a.sheets) ++polygons[raw_.sheets[static_cast<std::size_t>(s)].polygon];
       }
     }
@@ -184,72 +185,105 @@ class contraction {
 
   // ---- sheets
 
-  int polygon_of(int sheet) const { return raw_.sheets[static_cast<std::size_t>(sheet)].polygon; }
+  // A connected part of a polygon: a raw polygon may hang together by what has no width in the limit.
+  struct piece {
+    int polygon;
+    std::array<plane_id, 2> facets;
+    std::vector<stretch> borders;
+  };
 
-  // A polygon has an area iff its border, each stretch counted modulo two, is not empty; edges of the solid belong to it.
-  void find_sheets() {
-    root_.resize(raw_.sheets.size());
-    std::iota(root_.begin(), root_.end(), 0);
-    has_area_.assign(raw_.sheets.size(), false);
-    for (std::size_t s = 0; s < raw_.sheets.size(); ++s)
-      if (raw_.sheets[s].input_edge >= 0) has_area_[static_cast<std::size_t>(polygon_of(static_cast<int>(s)))] = true;
+  // A polygon's border in the limit: its stretches counted modulo two. Without any, it has no area.
+  void find_pieces() {
+    std::map<int, std::vector<stretch>> borders;
     for (const auto& [ends, on] : stretches_)
-      for (const auto& [polygon, times] : on.polygons)
-        if (times % 2 != 0) has_area_[static_cast<std::size_t>(polygon)] = true;
+      for (const auto& [polygon, times] : on.raw)
+        if (times % 2 != 0) borders[polygon].push_back(ends);
+    std::map<int, std::vector<stretch>> floors;
+    for (const auto& s : raw_.sheets)
+      if (s.input_edge >= 0) {
+        const auto& e = solid_.edges[static_cast<std::size_t>(s.input_edge)];
+        floors[s.polygon].emplace_back(e.ends[0], e.ends[1]);  // vertices come first among nodes and places
+      }
+    for (const auto& [polygon, stretches] : borders)
+      for (auto& part : connected_parts(polygon, stretches, floors[polygon])) {
+        pieces_of_[part.facets].push_back(static_cast<int>(pieces_.size()));
+        pieces_.push_back(std::move(part));
+      }
   }
 
-  int root(int polygon) {
-    while (root_[static_cast<std::size_t>(polygon)] != polygon)
-      polygon = root_[static_cast<std::size_t>(polygon)] = root_[static_cast<std::size_t>(root_[static_cast<std::size_t>(polygon)])];
-    return polygon;
+  // Groups border stretches that hang together, over edges of the solid too; a group inside another one is its hole.
+  std::vector<piece> connected_parts(int polygon, const std::vector<stretch>& borders, const std::vector<stretch>& floors) {
+    const auto& facets = raw_.sheets[static_cast<std::size_t>(polygon)].facets;
+    std::map<int, int> parent;
+    const auto root = [&parent](int p) {
+      parent.emplace(p, p);
+      while (parent[p] != p) p = parent[p];
+      return p;
+    };
+    for (const auto* list : {&borders, &floors})
+      for (const auto& [x, y] : *list) parent[root(x)] = root(y);
+    std::map<int, piece> groups;
+    for (const stretch& e : borders) {
+      piece& g = groups[root(e.first)];
+      g.polygon = polygon;
+      g.facets = facets;
+      g.borders.push_back(e);
+    }
+    std::vector<piece> result;
+    for (auto& [id, g] : groups) result.push_back(std::move(g));
+    if (result.size() == 1) return result;
+    std::vector<std::vector<std::size_t>> around(result.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+      for (std::size_t j = 0; j < result.size(); ++j)
+        if (i != j && contains(result[j].borders, result[i].borders.front(), facets)) around[i].push_back(j);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      for (const std::size_t j : around[i])
+        if (around[i].size() % 2 == 1 && around[j].size() + 1 == around[i].size()) {
+          result[j].borders.insert(result[j].borders.end(), result[i].borders.begin(), result[i].borders.end());
+          result[i].borders.clear();
+          break;
+        }
+    std::erase_if(result, [](const piece& g) { return g.borders.empty(); });
+    return result;
   }
 
   // The perturbation may leave an arc just beside a sheet that contains it in the limit, or a spike of no width along
-  // an arc. So what a polygon has to do with a stretch is decided anew: a border (once), inside (on both sides), nothing.
+  // an arc. So what a piece has to do with a stretch is decided anew: a border (once), inside (on both sides), nothing.
   void settle_stretches() {
-    const std::vector<std::vector<plane_id>> planes = planes_through_places();
-    std::map<std::array<plane_id, 2>, std::vector<int>> polygons;
-    for (std::size_t s = 0; s < raw_.sheets.size(); ++s)
-      if (has_area_[s]) polygons[raw_.sheets[s].facets].push_back(static_cast<int>(s));
-    std::map<int, std::vector<stretch>> borders;
-    for (const auto& [ends, on] : stretches_)
-      for (const auto& [polygon, times] : on.polygons)
-        if (times % 2 != 0) borders[polygon].push_back(ends);
-    std::map<stretch, content> settled;
-    for (const auto& [ends, on] : stretches_) {
-      content& now = settled[ends];
-      std::vector<plane_id> through;
-      const auto& first = planes[static_cast<std::size_t>(ends.first)];
-      const auto& second = planes[static_cast<std::size_t>(ends.second)];
-      std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(through));
+    for (int i = 0; i < static_cast<int>(pieces_.size()); ++i)
+      for (const stretch& e : pieces_[static_cast<std::size_t>(i)].borders) stretches_[e].pieces[i] = 1;
+    for (auto& [ends, on] : stretches_) {
+      const std::vector<plane_id> through = planes_through(ends);
       for (const plane_id a : through)
         for (const plane_id b : through) {
-          const auto found = a < b ? polygons.find({a, b}) : polygons.end();
-          if (found == polygons.end()) continue;
-          for (const int polygon : found->second) {
-            const auto known = on.polygons.find(polygon);
-            const bool border = known != on.polygons.end() && known->second % 2 != 0;
-            if (border)
-              now.polygons[polygon] = 1;
-            else if ((known != on.polygons.end() || through.size() > 3) && contains(borders[polygon], ends, a, b, through))
-              now.polygons[polygon] = 2;
+          const auto found = a < b ? pieces_of_.find({a, b}) : pieces_of_.end();
+          if (found == pieces_of_.end()) continue;
+          for (const int i : found->second) {
+            const piece& p = pieces_[static_cast<std::size_t>(i)];
+            if ((through.size() > 3 || on.raw.contains(p.polygon)) && !on.pieces.contains(i) && contains(p.borders, ends, p.facets)) on.pieces[i] = 2;
           }
         }
     }
-    stretches_ = std::move(settled);
   }
 
-  // Whether a stretch that is no border of a polygon between facets a and b lies inside it.
-  bool contains(const std::vector<stretch>& borders, const stretch& inner, plane_id a, plane_id b, const std::vector<plane_id>& through) const {
-    const auto transversal = [&](const auto& planes, plane_id p, plane_id q) {
-      const auto found = std::find_if(planes.begin(), planes.end(), [&](plane_id d) { return k_.orientation(p, q, d) != sign::zero; });
-      return found == planes.end() ? -1 : *found;
-    };
+  std::vector<plane_id> planes_through(const stretch& e) {
+    std::vector<plane_id> through;
+    const auto& first = planes_through(e.first);
+    const auto& second = planes_through(e.second);
+    std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(through));
+    return through;
+  }
+
+  // Whether a stretch inside or outside, but not on the borders of a piece between two facets lies inside.
+  bool contains(const std::vector<stretch>& borders, const stretch& inner, const std::array<plane_id, 2>& facets) {
+    const auto [a, b] = facets;
+    const std::vector<plane_id> through = planes_through(inner);
     if (later(inner.second, inner.first)) {
-      const plane_id third = transversal(through, a, b);
-      return third >= 0 && contains_over_time(borders, inner, {a, b, third});
+      for (const plane_id third : through)
+        if (k_.orientation(a, b, third) != sign::zero) return contains_over_time(borders, inner, {a, b, third});
+      return false;
     }
-    // All at one moment: the polygon lies in plane a. The stretch lies on the line of a and some plane c.
+    // All at one moment: the piece lies in plane a. The stretch lies on the line of a and some plane c.
     if (!std::all_of(borders.begin(), borders.end(),
                      [&](const stretch& e) { return simultaneous(e.first, inner.first) && simultaneous(e.second, inner.first); }))
       return false;
@@ -262,7 +296,7 @@ class contraction {
 
   // Counts the borders met by the ray from within the stretch through its second end, moved a little to the inner side
   // of c so that it meets no end of a border.
-  bool contains_now(const std::vector<stretch>& borders, const stretch& inner, plane_id a, plane_id c) const {
+  bool contains_now(const std::vector<stretch>& borders, const stretch& inner, plane_id a, plane_id c) {
     const auto& from = places_[static_cast<std::size_t>(inner.first)];
     const auto& to = places_[static_cast<std::size_t>(inner.second)];
     plane_id gate = -1;  // a plane through the second end that cuts the line
@@ -280,7 +314,7 @@ class contraction {
       if (sp == sign::zero || sq == sign::zero) {
         beyond = side(gate, sp == sign::zero ? p : q);
       } else {
-        for (const plane_id e : cells_at(stretches_.at({x, y}).polygons))
+        for (const plane_id e : planes_through(stretch(x, y)))
           if (k_.orientation(a, c, e) != sign::zero && side(e, p) == sign::zero && side(e, q) == sign::zero) {
             beyond = e == gate ? sign::zero : k_.side(gate, a, c, e, *from.when);
             break;
@@ -291,32 +325,33 @@ class contraction {
     return inside;
   }
 
-  // All planes that pass through each place at its moment, ascending.
-  std::vector<std::vector<plane_id>> planes_through_places() const {
-    std::vector<std::vector<plane_id>> result(places_.size());
-    for (std::size_t n = 0; n < places_.size(); ++n) {
-      if (const int vertex = raw_.nodes[static_cast<std::size_t>(members_[n][0])].vertex; vertex >= 0) {
-        result[n] = solid_.vertices[static_cast<std::size_t>(vertex)].facets;
-        std::sort(result[n].begin(), result[n].end());
-        result[n].erase(std::unique(result[n].begin(), result[n].end()), result[n].end());
-        continue;
-      }
+  // All planes that pass through a place at its moment, ascending; found once.
+  const std::vector<plane_id>& planes_through(int number) {
+    planes_.resize(places_.size());
+    auto& result = planes_[static_cast<std::size_t>(number)];
+    if (!result.empty()) return result;
+    const int node = members_[static_cast<std::size_t>(number)][0];
+    if (const int vertex = raw_.nodes[static_cast<std::size_t>(node)].vertex; vertex >= 0) {
+      result = solid_.vertices[static_cast<std::size_t>(vertex)].facets;
+      std::sort(result.begin(), result.end());
+      result.erase(std::unique(result.begin(), result.end()), result.end());
+    } else {
       for (plane_id p = 0; p < solid_.planes; ++p)
-        if (side(p, places_[n]) == sign::zero) result[n].push_back(p);
+        if (side(p, places_[static_cast<std::size_t>(number)]) == sign::zero) result.push_back(p);
     }
     return result;
   }
 
   // Whether the corner of a stretch, on the line of its first two planes, is inside a polygon on that line: at a
   // moment within, an odd number of the polygon's borders lies ahead.
-  bool contains_over_time(const std::vector<stretch>& borders, const stretch& inner, const triple& corner) const {
+  bool contains_over_time(const std::vector<stretch>& borders, const stretch& inner, const triple& corner) {
     bool inside = false;
     for (const auto& [x, y] : borders) {
       const int begin = later(x, inner.first) ? x : inner.first;
       const int end = later(y, inner.second) ? inner.second : y;
       if (!later(end, begin) || (x == inner.first && y == inner.second)) continue;
       const auto& last = places_[static_cast<std::size_t>(end)];
-      const plane_id c = third_plane(stretches_.at({x, y}), corner);
+      const plane_id c = third_plane({x, y}, corner);
       if (c < 0) continue;
       const quadruple q = {corner[0], corner[1], corner[2], c};
       const auto met = k_.meet(q);
@@ -328,8 +363,8 @@ class contraction {
   }
 
   // A plane that cuts the line of the corner's first two planes where the stretch is.
-  plane_id third_plane(const content& on, const triple& corner) const {
-    for (const plane_id c : cells_at(on.polygons))
+  plane_id third_plane(const stretch& e, const triple& corner) {
+    for (const plane_id c : planes_through(e))
       if (k_.orientation(corner[0], corner[1], c) != sign::zero && c != corner[2]) return c;
     return -1;
   }
@@ -343,24 +378,32 @@ class contraction {
     return k_.closing(m) * (r % 2 == 0 ? -lambda : lambda);
   }
 
-  // Polygons of the same two facets that touch are one sheet; where only two cells meet there is no arc.
+  // Pieces between the same two facets that touch are one sheet; where only two cells meet there is no arc.
   void join_sheets() {
+    root_.resize(pieces_.size());
+    std::iota(root_.begin(), root_.end(), 0);
     std::map<std::pair<int, std::array<plane_id, 2>>, int> at_place;
     for (auto at = stretches_.begin(); at != stretches_.end();) {
       const auto& [ends, on] = *at;
-      for (const auto& [polygon, times] : on.polygons)
-        for (const int place_number : {ends.first, ends.second}) {
-          const auto known = at_place.emplace(std::pair(place_number, raw_.sheets[static_cast<std::size_t>(polygon)].facets), polygon).first;
-          root_[static_cast<std::size_t>(root(polygon))] = root(known->second);
+      for (const auto& [i, times] : on.pieces)
+        for (const int p : {ends.first, ends.second}) {
+          const auto known = at_place.emplace(std::pair(p, pieces_[static_cast<std::size_t>(i)].facets), i).first;
+          root_[static_cast<std::size_t>(root(i))] = root(known->second);
         }
-      at = cells_at(on.polygons).size() >= 3 ? std::next(at) : stretches_.erase(at);
+      at = cells_at(on).size() >= 3 ? std::next(at) : stretches_.erase(at);
     }
   }
 
-  std::vector<plane_id> cells_at(const std::map<int, int>& polygons) const {
+  int root(int i) {
+    while (root_[static_cast<std::size_t>(i)] != i)
+      i = root_[static_cast<std::size_t>(i)] = root_[static_cast<std::size_t>(root_[static_cast<std::size_t>(i)])];
+    return i;
+  }
+
+  std::vector<plane_id> cells_at(const content& on) const {
     std::set<plane_id> cells;
-    for (const auto& [polygon, times] : polygons)
-      for (const plane_id f : raw_.sheets[static_cast<std::size_t>(polygon)].facets) cells.insert(f);
+    for (const auto& [i, times] : on.pieces)
+      for (const plane_id f : pieces_[static_cast<std::size_t>(i)].facets) cells.insert(f);
     return {cells.begin(), cells.end()};
   }
 
@@ -375,24 +418,23 @@ class contraction {
       node_of[p] = static_cast<int>(result_.nodes.size());
       result_.nodes.push_back({members_[p], {}});
     }
-    std::vector<int> sheet_of(raw_.sheets.size(), -1);
-    for (std::size_t s = 0; s < raw_.sheets.size(); ++s) {
-      const int polygon = polygon_of(static_cast<int>(s));
-      if (polygon != static_cast<int>(s) || !has_area_[s]) continue;
-      int& id = sheet_of[static_cast<std::size_t>(root(polygon))];
+    std::vector<int> sheet_of(pieces_.size(), -1);
+    for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
+      const piece& p = pieces_[static_cast<std::size_t>(i)];
+      int& id = sheet_of[static_cast<std::size_t>(root(i))];
       if (id < 0) {
         id = static_cast<int>(result_.sheets.size());
-        result_.sheets.push_back({raw_.sheets[s].facets, {}, {}});
+        result_.sheets.push_back({p.facets, {}, {}});
       }
-      result_.sheets[static_cast<std::size_t>(id)].raw.push_back(polygon);
+      auto& raw = result_.sheets[static_cast<std::size_t>(id)].raw;
+      if (std::find(raw.begin(), raw.end(), p.polygon) == raw.end()) raw.push_back(p.polygon);
     }
     for (const auto& [ends, on] : stretches_) {
       const int id = static_cast<int>(result_.arcs.size());
-      contracted_skeleton::arc arc{
-          node_of[static_cast<std::size_t>(ends.first)], node_of[static_cast<std::size_t>(ends.second)], cells_at(on.polygons), {}};
-      for (const auto& [polygon, times] : on.polygons) {
-        const int sheet = sheet_of[static_cast<std::size_t>(root(polygon))];
-        for (int i = 0; i < times; ++i) arc.sheets.push_back(sheet);
+      contracted_skeleton::arc arc{node_of[static_cast<std::size_t>(ends.first)], node_of[static_cast<std::size_t>(ends.second)], cells_at(on), {}};
+      for (const auto& [i, times] : on.pieces) {
+        const int sheet = sheet_of[static_cast<std::size_t>(root(i))];
+        arc.sheets.insert(arc.sheets.end(), static_cast<std::size_t>(times), sheet);
       }
       std::sort(arc.sheets.begin(), arc.sheets.end());
       for (const int n : {arc.source, arc.target}) result_.nodes[static_cast<std::size_t>(n)].arcs.push_back(id);
@@ -410,8 +452,10 @@ class contraction {
   std::vector<std::vector<int>> members_;
   std::vector<int> place_of_;
   std::map<stretch, content> stretches_;
+  std::vector<std::vector<plane_id>> planes_;
+  std::vector<piece> pieces_;
+  std::map<std::array<plane_id, 2>, std::vector<int>> pieces_of_;
   std::vector<int> root_;
-  std::vector<bool> has_area_;
   contracted_skeleton result_;
 };
 
