@@ -43,7 +43,8 @@ TEST(Catalogue, HasTheEventsOfDesign02) {
   const auto events = all_events();
   EXPECT_EQ(events.size(), 105U);
   const auto outcomes = [&](int n) {
-    return std::count_if(events.begin(), events.end(), [n](const auto& e) { return (e.second.may_empty ? 1 : 0) + (e.second.may_fill ? 1 : 0) == n; });
+    return std::count_if(events.begin(), events.end(),
+                         [n](const auto& e) { return (e.second.may_empty ? 1 : 0) + (e.second.may_fill ? 1 : 0) == n; });
   };
   EXPECT_EQ(outcomes(0), 0) << "an event without a successor";
   EXPECT_EQ(outcomes(1), 103);
@@ -72,9 +73,9 @@ TEST(Catalogue, SaddlesAreE1AndDifferByAnEdgeOfEitherKind) {
 // sides kept and the small cell complemented.
 TEST(Catalogue, InverseEventsAreThoseOfTable31) {
   using enum event_class;
-  const std::map<event_class, event_class> inverse = {{E1, E1},           {E2, V_E},          {E3, V_F}, {E4, E_E},
-                                                      {V_E, E2},          {V_V_I, V_V_E_I},   {V_V_II, V_V_II},
-                                                      {V_V_E_I, V_V_I},   {V_V_E_II, V_V_E_II}, {E_E, E4}, {V_F, E3}};
+  const std::map<event_class, event_class> inverse = {
+      {E1, E1},  {E2, V_E}, {E3, V_F}, {E4, E_E}, {V_E, E2}, {V_V_I, V_V_E_I}, {V_V_II, V_V_II}, {V_V_E_I, V_V_I}, {V_V_E_II, V_V_E_II},
+      {E_E, E4}, {V_F, E3}};
   int checked = 0;
   for (const auto& [least, e] : all_events())
     for (const bool fill : {false, true}) {

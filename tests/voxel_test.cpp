@@ -26,7 +26,8 @@ TEST_P(VoxelSolids, OffsetsAreErosions) {
   for (int seed = GetParam(); seed < GetParam() + 250; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     models::dice roll(static_cast<std::uint64_t>(seed));
-    const std::array<int, 3> size = {static_cast<int>(roll.between(1, 6)), static_cast<int>(roll.between(1, 6)), static_cast<int>(roll.between(1, 6))};
+    const std::array<int, 3> size = {static_cast<int>(roll.between(1, 6)), static_cast<int>(roll.between(1, 6)),
+                                     static_cast<int>(roll.between(1, 6))};
     const auto v = models::random_voxels(size, static_cast<int>(roll.between(25, 90)), static_cast<std::uint64_t>(seed));
     const auto s = make_solid(v.surface().take<integer>());
     const auto k = default_kernel(s);
