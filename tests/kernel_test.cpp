@@ -510,8 +510,8 @@ TEST(Volume, TheReflexSplitOfASaddleIsTheSmaller) {
     if (trees[0].convex_edges() == 0) std::swap(trees[0], trees[1]);
     EXPECT_EQ(k.compare_volume(triangles(trees[1]), triangles(trees[0])), sign::negative);
     const splitter<sqrt_kernel> split(k, x.c);
-    EXPECT_EQ(split.best(split_preference::min_volume).convex_edges(), 0);
-    EXPECT_EQ(split.best(split_preference::max_volume).convex_edges(), 1);
+    EXPECT_EQ(split.best(split_preference::min_volume)->convex_edges(), 0);
+    EXPECT_EQ(split.best(split_preference::max_volume)->convex_edges(), 1);
   }
   EXPECT_GE(saddles, 20);
 }

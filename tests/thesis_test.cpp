@@ -92,7 +92,7 @@ TEST(Thesis, Row21LeastVolumeIsDecidedByOneTetrahedron) {
   ASSERT_EQ(v.facets.size(), 8U);
   corner c{v.facets, {}};
   for (const int e : v.edges) c.convex.push_back(s.boundary.edges[static_cast<std::size_t>(e)].convex);
-  const auto chosen = splitter(k, c).best(split_preference::min_volume);
+  const auto chosen = splitter(k, c).best(split_preference::min_volume).value();
   EXPECT_EQ(chosen.operations, (std::vector<std::pair<int, int>>{{0, 2}, {0, 3}, {3, 7}, {4, 6}, {4, 7}}));
   bool flipped_is_valid = false;
   for (const auto& t : splitter(k, c).all())

@@ -16,6 +16,7 @@
 #include "osteon/boundary.hpp"
 #include "osteon/catalogue.hpp"
 #include "osteon/error.hpp"
+#include "osteon/flood.hpp"
 #include "osteon/kernel.hpp"
 #include "osteon/skeleton.hpp"
 #include "osteon/split.hpp"
@@ -89,12 +90,11 @@ class propagation {
   // ---- the start
 
   void initialise() {
-    for (std::size_t e = 0; e < solid_.edges.size(); ++e)
-      new_sheet(std::min(solid_.edges[e].planes[0], solid_.edges[e].planes[1]), std::max(solid_.edges[e].planes[0], solid_.edges[e].planes[1]),
-                static_cast<int>(e));
-    std::vector<split_tree> trees;
-    for (const auto& v : solid_.vertices)
-      trees.push_back(v.facets.size() == 3 || is_majority(v) ? split_tree{} : splitter<K>(k_, corner_at(v)).best(options_.prefer));
+    const std::vector<split_tree> trees = split_vertices();
+    for (std::size_t e = 0; e < solid_.edges.size(); ++e) {
+      const auto [p, q] = std::minmax({solid_.edges[e].planes[0], solid_.edges[e].planes[1]});
+      new_sheet(p, q, origin_[e]);
+    }
     std::vector<int> front_edge(solid_.edges.size(), -1);
     add_input_edges(trees, front_edge);
     for (std::size_t v = 0; v < solid_.vertices.size(); ++v) {
@@ -112,6 +112,57 @@ class propagation {
       }
     }
     for (const auto& v : front_.vertices()) set_sheets(v);
+  }
+
+  // The preferred tree of every vertex, after floods where there is none without.
+  std::vector<split_tree> split_vertices() {
+    origin_.resize(solid_.edges.size());
+    std::iota(origin_.begin(), origin_.end(), 0);
+    std::vector<split_tree> trees(solid_.vertices.size());
+    std::vector<int> waiting(solid_.vertices.size());
+    std::iota(waiting.begin(), waiting.end(), 0);
+    while (!waiting.empty()) {
+      const int v = waiting.back();
+      waiting.pop_back();
+      if (auto tree = split(solid_, v)) {
+        trees[v] = std::move(*tree);
+        continue;
+      }
+      std::vector<flood> floods;
+      for (int most = 1; most <= most_floods && floods.empty(); ++most) floods = find_floods(solid_, v, most);
+      if (floods.empty()) broken_invariant<K>("a vertex of degree " + std::to_string(solid_.vertices[v].facets.size()) + " has a valid split");
+      waiting.push_back(v);
+      for (const flood& f : floods) {
+        const int e = solid_.vertices[v].edges[f.side];
+        waiting.push_back(solid_.edges[e].ends[solid_.edges[e].ends[0] == v ? 1 : 0]);
+        origin_.push_back(origin_[e]);
+        solid_ = after_flood(std::move(solid_), f);
+      }
+    }
+    return trees;
+  }
+
+  // At most so many floods, one after the other, after which a vertex has a valid split; empty where there are none.
+  std::vector<flood> find_floods(const boundary& b, int v, int most) const {
+    for (const flood& f : floods_at(k_, b, v)) {
+      const boundary next = after_flood(b, f);
+      if (most == 1) {
+        if (split(next, v)) return {f};
+        continue;
+      }
+      std::vector<flood> more = find_floods(next, v, most - 1);
+      if (more.empty()) continue;
+      more.insert(more.begin(), f);
+      return more;
+    }
+    return {};
+  }
+  static constexpr int most_floods = 3;
+
+  // The preferred tree of a vertex, empty where it needs none; nothing where it has none.
+  std::optional<split_tree> split(const boundary& b, int v) const {
+    if (b.vertices[v].facets.size() == 3 || is_majority(b.vertices[v])) return split_tree{};
+    return splitter<K>(k_, corner_at(b, b.vertices[v])).best(options_.prefer);
   }
 
   // One moving edge for each edge of the solid; one for several that become one where facets of one plane join.
@@ -135,9 +186,9 @@ class propagation {
     }
   }
 
-  corner corner_at(const boundary::vertex& v) const {
+  static corner corner_at(const boundary& b, const boundary::vertex& v) {
     corner c{v.facets, {}};
-    for (const int e : v.edges) c.convex.push_back(solid_.edges[e].convex);
+    for (const int e : v.edges) c.convex.push_back(b.edges[e].convex);
     return c;
   }
 
@@ -503,7 +554,8 @@ class propagation {
   }
 
   const K& k_;
-  const boundary& solid_;
+  boundary solid_;           // floods change it
+  std::vector<int> origin_;  // by edge: the input's edge that it was
   options options_;
   wavefront front_;
   skeleton result_;

@@ -79,7 +79,7 @@ std::optional<bool> look(const K& k, const Segments& edges_of_l, plane_id l, pla
     }
     if (!crossed) continue;
     const bool here = generic_side(k, x, l, i, j, m) == sign::positive;
-    if (nearest != nullptr && (generic_side(k, x, l, i, nearest->other(l), m) == sign::positive) == here) continue;
+    if (nearest != nullptr && (nearest->other(l) == x || (generic_side(k, x, l, i, nearest->other(l), m) == sign::positive) == here)) continue;
     nearest = &e;
     corner_inside = here;
   }

@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -146,13 +147,13 @@ class splitter {
     return trees;
   }
 
-  /// The preferred valid tree; among equals the first in the thesis's order. A valid tree exists (thesis 3.5).
-  split_tree best(split_preference preference) const {
+  /// The preferred valid tree; among equals the first in the thesis's order. Nothing where no tree is valid: thesis 3.5 proves
+  /// that there is one, but where three planes share an edge's line all of them may have a vertex at infinity.
+  std::optional<split_tree> best(split_preference preference) const {
     std::vector<split_tree> trees = candidates();
     std::stable_sort(trees.begin(), trees.end(), [&](const split_tree& s, const split_tree& t) { return better(s, t, preference); });
     const auto found = std::find_if(trees.begin(), trees.end(), [this](const split_tree& t) { return valid(t); });
-    if (found == trees.end()) broken_invariant<K>("a vertex of degree " + std::to_string(c_.degree()) + " has a valid split");
-    return *found;
+    return found == trees.end() ? std::nullopt : std::optional(*found);
   }
 
   /// The edges around and inside the split vertex; those of the solid run to infinity.
@@ -322,6 +323,7 @@ class splitter {
     for (std::size_t at = 0; at < n; ++at) {
       if (c_.facets[at] != l) continue;
       const std::size_t before = (at + n - 1) % n;
+      if (!k_.transversal(c_.facets[before], l, c_.facets[(at + 1) % n])) continue;  // half a turn, or none at all
       const bool up = k_.orientation(c_.facets[before], l, c_.facets[(at + 1) % n]) == sign::positive;
       if ((c_.convex[at] == up) != c_.convex[before]) return true;
     }

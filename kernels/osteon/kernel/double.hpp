@@ -14,6 +14,7 @@ namespace osteon {
 class double_arithmetic : public estimated_planes {
  public:
   static constexpr bool is_exact = false;
+  static constexpr int speed_bits = 0;
   using estimated_planes::estimated_planes;
 
   sign decide(const estimate& x) const { return sign_of(x.value); }

@@ -39,6 +39,12 @@ struct estimate {
   /// Nothing is certain of expressions in inputs that are not `fit`.
   static estimate input(double x, bool exact, bool fit = true) { return {x, fit ? std::abs(x) : std::numeric_limits<double>::infinity(), exact}; }
 
+  /// Whether at least twenty bits are right, or all.
+  bool precise() const { return (exact && scale < 0x1p53) || std::abs(value) > 0x1p20 * error(); }
+
+  /// A number that was rounded from its exact value; zero is zero.
+  static estimate rounded(double x) { return {x, std::abs(x), x == 0}; }
+
   friend estimate operator+(const estimate& a, const estimate& b) { return {a.value + b.value, a.scale + b.scale, a.exact && b.exact}; }
   friend estimate operator-(const estimate& a, const estimate& b) { return {a.value - b.value, a.scale + b.scale, a.exact && b.exact}; }
   friend estimate operator*(const estimate& a, const estimate& b) { return {a.value * b.value, a.scale * b.scale, a.exact && b.exact}; }
@@ -57,10 +63,14 @@ class estimated_planes {
  public:
   using number = estimate;
 
-  explicit estimated_planes(std::span<const moving_plane<integer>> planes) : planes_(round_planes(planes)) {}
+  explicit estimated_planes(std::span<const moving_plane<integer>> planes) : planes_(round_planes(planes)) {
+    for (const auto& p : planes_) unscaled_ = unscaled_ && p.unscaled;
+  }
 
   plane_id size() const { return static_cast<plane_id>(planes_.size()); }
   const rounded_plane& plane(plane_id i) const { return planes_[i]; }
+  /// Whether no plane had to be scaled to fit into doubles.
+  bool unscaled() const { return unscaled_; }
   estimate n(plane_id i, int axis) const { return estimate::input(planes_[i].n[axis], planes_[i].exact, planes_[i].fit); }
   estimate d(plane_id i) const { return estimate::input(planes_[i].d, planes_[i].exact, planes_[i].fit); }
   estimate u(plane_id i, int axis) const { return estimate::input(planes_[i].u[axis], planes_[i].exact, planes_[i].tilt_fit); }
@@ -75,6 +85,7 @@ class estimated_planes {
 
  private:
   std::vector<rounded_plane> planes_;
+  bool unscaled_ = true;
 };
 
 }  // namespace osteon

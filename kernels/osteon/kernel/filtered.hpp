@@ -110,6 +110,7 @@ class filtered {
       m.offset = m.offset + lambda[r] * a.d(q[r]);
       m.speed = m.speed + lambda[r] * a.speed(q[r]);
     }
+    refine(m);
     const double below = std::abs(m.speed.value) - m.speed.error();
     if (below > 0 && m.speed.scale > 1e-250 && m.offset.scale > 1e-250 && m.speed.scale < 1e290 && m.offset.scale < 1e290) {
       const double t = m.offset.value / m.speed.value;
@@ -119,6 +120,18 @@ class filtered {
       m.latest = t + radius;
     }
     return m;
+  }
+
+  // Almost coplanar planes leave few bits of D and S; then they are worth being computed exactly, once, and rounded:
+  // almost all comparisons that follow are decided quickly.
+  void refine(meeting& m) const {
+    if constexpr (requires { exact_.refined(m.planes); }) {
+      if ((m.speed.precise() && m.offset.precise()) || !fast_.arithmetic().unscaled()) return;
+      if (const auto known = exact_.refined(m.planes)) {
+        m.offset = estimate::rounded(to_double(known->first, 0));
+        m.speed = estimate::rounded(to_double(known->second, K::speed_bits));
+      }
+    }
   }
 
   sign cross(const meeting& m, const meeting& n) const {

@@ -5,8 +5,11 @@
 /// The predicates' formulas, written once for every number type (design 01, and 04 for the grades). A policy
 /// `Arithmetic` supplies numbers and says what the sign of a number and of a linear form in the speeds is.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -69,13 +72,19 @@ class formulas {
   explicit formulas(Arithmetic a) : a_(std::move(a)) {}
   const Arithmetic& arithmetic() const { return a_; }
 
-  /// Coefficient of e^(2m) in det(n_i, n_j, n_k).
+  /// Coefficient of e^(2m) in det(n_i, n_j, n_k). Remembered where numbers are long (at most 2^18 of them).
   number minor(int m, plane_id i, plane_id j, plane_id k) const {
-    if (m == 0) return det(i, j, k, 0);
-    number sum = number(0);
-    for (unsigned tilted = 1; tilted < 8; ++tilted)
-      if (static_cast<int>((tilted & 1U) + (tilted >> 1U & 1U) + (tilted >> 2U)) == m) sum = sum + det(i, j, k, tilted);
-    return sum;
+    if constexpr (!remembers) {
+      return compute_minor(m, i, j, k);
+    } else {
+      quadruple key = {i, j, k, m};
+      std::sort(key.begin(), key.begin() + 3);
+      if (minors_.size() > (1U << 18U)) minors_.clear();
+      const auto [at, fresh] = minors_.try_emplace(key);
+      if (fresh) at->second = compute_minor(m, key[0], key[1], key[2]);
+      const int inversions = (i > j ? 1 : 0) + (i > k ? 1 : 0) + (j > k ? 1 : 0);
+      return inversions % 2 == 0 ? at->second : number(-at->second);
+    }
   }
 
   /// Coefficients of e^(2m) in the lambdas: the cofactors of the last column of the matrix with rows (n_r, *).
@@ -120,6 +129,16 @@ class formulas {
   }
 
  private:
+  static constexpr bool remembers = requires { typename Arithmetic::remembers_minors; };
+
+  number compute_minor(int m, plane_id i, plane_id j, plane_id k) const {
+    if (m == 0) return det(i, j, k, 0);
+    number sum = number(0);
+    for (unsigned tilted = 1; tilted < 8; ++tilted)
+      if (static_cast<int>((tilted & 1U) + (tilted >> 1U & 1U) + (tilted >> 2U)) == m) sum = sum + det(i, j, k, tilted);
+    return sum;
+  }
+
   number entry(plane_id p, int axis, bool tilted) const { return tilted ? a_.u(p, axis) : a_.n(p, axis); }
 
   number det(plane_id i, plane_id j, plane_id k, unsigned tilted) const {
@@ -134,7 +153,9 @@ class formulas {
     for (int t = 0; t < s.size; ++t) f.add(s.terms[t].plane, factor * s.terms[t].coefficient);
   }
 
+  struct nothing {};
   Arithmetic a_;
+  [[no_unique_address]] mutable std::conditional_t<remembers, std::unordered_map<quadruple, number, plane_hash>, nothing> minors_;
 };
 
 }  // namespace osteon

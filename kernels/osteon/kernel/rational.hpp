@@ -12,6 +12,7 @@ namespace osteon {
 class rational_arithmetic : public integer_planes {
  public:
   static constexpr bool is_exact = true;
+  static constexpr int speed_bits = 64;
 
   explicit rational_arithmetic(std::span<const moving_plane<integer>> planes) : integer_planes(planes) {
     square_classes roots;
@@ -44,6 +45,13 @@ class rational_arithmetic : public integer_planes {
       const std::array<integer, 3> c = {integer(small[0]), integer(small[1]), integer(small[2])};
       if (visit_volume<integer>(s, c, normal, term(1)) && visit_volume<integer>(t, c, normal, term(-1))) return osteon::sign_of(difference);
     }
+  }
+
+  /// S itself.
+  std::pair<integer, integer> rough_speed(const std::array<integer, 4>& lambda, const quadruple& q) const {
+    integer s = 0;
+    for (int r = 0; r < 4; ++r) s += lambda[r] * speeds_[q[r]];
+    return {s, 0};
   }
 
   /// floor(weight * |n| * 2^64).

@@ -20,6 +20,7 @@ namespace osteon {
 class integer_planes {
  public:
   using number = integer;
+  using remembers_minors = void;
 
   explicit integer_planes(std::span<const moving_plane<integer>> planes) : planes_(planes.begin(), planes.end()) {
     tilts_.reserve(planes_.size());
@@ -63,6 +64,7 @@ class integer_planes {
 class sqrt_arithmetic : public integer_planes {
  public:
   static constexpr bool is_exact = true;
+  static constexpr int speed_bits = 128;
 
   explicit sqrt_arithmetic(std::span<const moving_plane<integer>> planes) : integer_planes(planes) {
     for (plane_id i = 0; i < size(); ++i) roots_.add(dot(i, i), plane(i).weight);
@@ -71,6 +73,16 @@ class sqrt_arithmetic : public integer_planes {
   using integer_planes::decide;
   sign decide(const linear_form<integer>& f) const { return roots_.sign_of_form(f.terms, f.size); }
   const square_classes& roots() const { return roots_; }
+
+  /// S with roots rounded to 2^-128; each is less than 1 too small in that unit.
+  std::pair<integer, integer> rough_speed(const std::array<integer, 4>& lambda, const quadruple& q) const {
+    std::pair<integer, integer> s = {0, 0};
+    for (int r = 0; r < 4; ++r) {
+      s.first += lambda[r] * roots_.refined(q[r]);
+      s.second += abs(lambda[r]);
+    }
+    return s;
+  }
 
   /// Sign of volume(s) - volume(t). The cube of a form in three roots is a form in those three and their product, so
   /// the difference is one linear form in roots, decided as all others are.

@@ -36,6 +36,9 @@ class square_classes {
   /// floor(weight * sqrt(s) * 2^precision).
   integer scaled(int i, unsigned precision) const { return refine(roots_[i], precision); }
 
+  /// floor(weight * sqrt(s) * 2^128), at hand.
+  const integer& refined(int i) const { return roots_[i].refined[1]; }
+
   /// Whether root i is rational, and so the integer weight * isqrt(s).
   bool is_integer(int i) const { return is_square(roots_[i].s); }
 

@@ -25,6 +25,7 @@ struct rounded_plane {
   std::array<double, 3> u;
   double delta;
   bool exact;
+  bool unscaled;  ///< in the units of the integers
   bool fit;       ///< n and d are zero or so great that no product in the formulas underflows
   bool tilt_fit;  ///< and so are u and delta
 };
@@ -70,6 +71,7 @@ inline std::vector<rounded_plane> round_planes(std::span<const moving_plane<inte
     r.exact = shifts[i] == 0 && offset_shift == 0 && small(p.n[0]) && small(p.n[1]) && small(p.n[2]) && small(p.d) && is_square(squared) &&
               small(isqrt(squared));
     const int shift = shifts[i];
+    r.unscaled = shift == 0 && offset_shift == 0;
     r.fit = is_fit(p.n[0], shift) && is_fit(p.n[1], shift) && is_fit(p.n[2], shift) && is_fit(p.d, shift + offset_shift);
     r.tilt_fit = shift + offset_shift < 120;
     result.push_back(r);
