@@ -129,7 +129,8 @@ class propagation {
         continue;
       }
       std::vector<flood> floods;
-      for (int most = 1; most <= most_floods && floods.empty(); ++most) floods = find_floods(solid_, v, most);
+      for (const bool calm : {true, false})
+        for (int most = 1; most <= most_floods && floods.empty(); ++most) floods = find_floods(solid_, v, most, calm);
       if (floods.empty()) broken_invariant<K>("a vertex of degree " + std::to_string(solid_.vertices[v].facets.size()) + " has a valid split");
       waiting.push_back(v);
       for (const flood& f : floods) {
@@ -142,15 +143,18 @@ class propagation {
     return trees;
   }
 
-  // At most so many floods, one after the other, after which a vertex has a valid split; empty where there are none.
-  std::vector<flood> find_floods(const boundary& b, int v, int most) const {
+  // So many floods, one after the other, after which a vertex has a valid split and, if `calm`, the other ends have one too; empty where
+  // there are none.
+  std::vector<flood> find_floods(const boundary& b, int v, int number, bool calm) const {
     for (const flood& f : floods_at(k_, b, v)) {
       const boundary next = after_flood(b, f);
-      if (most == 1) {
+      const auto& ends = b.edges[b.vertices[v].edges[f.side]].ends;
+      if (calm && !split(next, ends[ends[0] == v ? 1 : 0])) continue;
+      if (number == 1) {
         if (split(next, v)) return {f};
         continue;
       }
-      std::vector<flood> more = find_floods(next, v, most - 1);
+      std::vector<flood> more = find_floods(next, v, number - 1, calm);
       if (more.empty()) continue;
       more.insert(more.begin(), f);
       return more;
