@@ -40,6 +40,7 @@ struct swept_plane {
 /// What an exact kernel remembers of four planes (ascending): D, S within `error`, and D / S, which lies within `radius` of
 /// time + rest. Solids that are almost symmetric have events at times that differ in the fifteenth digit and later.
 struct remembered_planes {
+  quadruple support;  ///< the planes whose lambda is not zero; -1 for the others
   integer offset;
   integer speed;
   integer error;
@@ -123,15 +124,19 @@ class direct_kernel {
   }
   sign cross_at(int grade, const quadruple& q, const quadruple& r) const {
     if constexpr (rough_arithmetic<Arithmetic>)
-      if (grade == 0) {
+      if (grade <= 1) {
         if (memory_.size() > most_remembered) memory_.clear();  // only here, so that both references below live
         const remembered_planes& a = recall(ascending(q));
         const remembered_planes& b = recall(ascending(r));
-        const double later = (a.time - b.time) + (a.rest - b.rest);
-        if (std::abs(later) * (1 - 0x1p-50) > a.radius + b.radius)
-          return parity(q) * parity(r) * sign_of(later) * sign_of(a.speed) * sign_of(b.speed);
-        const integer difference = a.offset * b.speed - b.offset * a.speed;
-        if (abs(difference) > abs(a.offset) * b.error + abs(b.offset) * a.error) return parity(q) * parity(r) * sign_of(difference);
+        // Less than four normals have one linear dependency at most, so equal supports mean proportional lambdas.
+        if (a.support == b.support && std::find(a.support.begin(), a.support.end(), -1) != a.support.end()) return sign::zero;
+        if (grade == 0) {
+          const double later = (a.time - b.time) + (a.rest - b.rest);
+          if (std::abs(later) * (1 - 0x1p-50) > a.radius + b.radius)
+            return parity(q) * parity(r) * sign_of(later) * sign_of(a.speed) * sign_of(b.speed);
+          const integer difference = a.offset * b.speed - b.offset * a.speed;
+          if (abs(difference) > abs(a.offset) * b.error + abs(b.offset) * a.error) return parity(q) * parity(r) * sign_of(difference);
+        }
       }
     return f_.cross_at(grade, q, r);
   }
@@ -158,7 +163,11 @@ class direct_kernel {
     const auto [at, fresh] = memory_.try_emplace(q);
     if (fresh) {
       const auto lambda = f_.lambda(0, q);
-      for (int r = 0; r < 4; ++r) at->second.offset += lambda[r] * f_.arithmetic().d(q[r]);
+      for (int r = 0; r < 4; ++r) {
+        at->second.support[r] = lambda[r] == 0 ? -1 : q[r];
+        at->second.offset += lambda[r] * f_.arithmetic().d(q[r]);
+      }
+      std::sort(at->second.support.begin(), at->second.support.end());
       std::tie(at->second.speed, at->second.error) = f_.arithmetic().rough_speed(lambda, q);
       set_time(at->second);
     }
