@@ -171,7 +171,7 @@ struct splits_command {
     CLI::App* c = program.add_subcommand("splits", "list the ways to split a vertex into vertices of degree three");
     input.add_to(*c);
     c->add_option("--vertex", vertex, "the point's number in the file, from 1")->required();
-    c->add_flag("--all", all, "list every valid tree instead of the first");
+    c->add_flag("--all", all, "list every valid tree, not only the first ten");
     c->add_flag("--summary", summary, "print one JSON object with counts");
     c->footer(
         "A tree is a list of split operations <a,b>: the facets a and b of the vertex, counted from 0 counter-clockwise\n"
@@ -189,8 +189,9 @@ struct splits_command {
                         fmt::format("{}: point {} is no vertex of the solid", input.file, vertex), "name a point where at least three planes meet");
     const auto& v = s.boundary.vertices[static_cast<std::size_t>(found - s.input_points.begin())];
     const int degree = static_cast<int>(v.facets.size());
-    std::map<operations, bool> trees;  // whether all vertices stay near
-    if (degree > 3) {
+    std::map<operations, bool> trees;                   // whether all vertices stay near
+    const bool whole = degree == 3 || v.is_majority();  // never splits
+    if (!whole) {
       corner c{v.facets, {}};
       for (const int e : v.edges) c.convex.push_back(s.boundary.edges[static_cast<std::size_t>(e)].convex);
       for (const bool mirrored : {false, true}) {
@@ -199,22 +200,28 @@ struct splits_command {
           for (const auto& t : splitter(k, c, bounded).all()) trees[t.operations] |= bounded;
       }
     }
-    const std::size_t valid = degree == 3 ? 1 : trees.size();
+    const std::size_t valid = whole ? 1 : trees.size();
+    const std::uint64_t all_trees = whole ? 1 : catalan(degree - 2);
     if (summary) {
       const json doc = {
-          {"vertex", vertex}, {"degree", degree}, {"trees", std::to_string(catalan(degree - 2))}, {"valid", valid}, {"method", "enumeration"}};
+          {"vertex", vertex}, {"degree", degree}, {"trees", std::to_string(all_trees)}, {"valid", valid}, {"method", whole ? "none" : "enumeration"}};
       fmt::print("{}\n", doc.dump());
       return;
     }
     std::string facets;
     for (const plane_id f : v.facets) facets += fmt::format(" {}", f);
-    fmt::print(stderr, "vertex {}, degree {}, planes{}, {} trees, {} valid\n", vertex, degree, facets, catalan(degree - 2), valid);
+    fmt::print(stderr, "vertex {}, degree {}, planes{}, {} trees, {} valid\n", vertex, degree, facets, all_trees, valid);
+    std::size_t listed = 0;
     for (const auto& [tree, near] : trees) {
+      if (!all && ++listed > most_listed) {
+        fmt::print(stderr, "and {} more; give --all to list them\n", trees.size() - most_listed);
+        break;
+      }
       fmt::print("{}{}\n", text_of(tree), near ? "" : " #");
-      if (!all) break;
     }
   }
 
+  static constexpr std::size_t most_listed = 10;
   using operations = std::vector<std::pair<int, int>>;
 
   static std::string text_of(const operations& t) {
@@ -287,6 +294,9 @@ int run(int argc, char** argv) {
   } catch (const input_error& e) {
     fmt::print(stderr, "osteon: {}\n", e.what());
     return bad_input;
+  } catch (const degenerate_error& e) {
+    fmt::print(stderr, "osteon: {}, as the sqrt and rational kernels are\n", e.what());
+    return undecided;
   } catch (const unsupported_error& e) {
     fmt::print(stderr, "osteon: {}\n", e.what());
     return bad_input;

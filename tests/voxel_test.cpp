@@ -62,7 +62,7 @@ TEST(VoxelSolids, AreVaried) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const auto s = make_solid(models::random_voxels({5, 5, 5}, 40, seed).surface().take<integer>());
     long euler = static_cast<long>(s.boundary.vertices.size()) - static_cast<long>(s.boundary.edges.size());
-    for (const auto& v : s.boundary.vertices) majority_corners += v.facets.size() == 6 && v.facets[0] == v.facets[3] ? 1 : 0;
+    for (const auto& v : s.boundary.vertices) majority_corners += v.is_majority() ? 1 : 0;
     bodies += euler != 0 ? 1 : 0;
   }
   EXPECT_GT(majority_corners, 10);

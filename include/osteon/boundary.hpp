@@ -24,6 +24,12 @@ struct boundary {
   struct vertex {
     std::vector<plane_id> facets;
     std::vector<int> edges;
+
+    /// Three planes with two opposite facets each. Such a vertex never splits: three planes always meet in a point.
+    bool is_majority() const {
+      const auto& f = facets;
+      return f.size() == 6 && f[0] == f[3] && f[1] == f[4] && f[2] == f[5] && f[0] != f[1] && f[1] != f[2] && f[0] != f[2];
+    }
   };
   std::vector<vertex> vertices;
   std::vector<edge> edges;

@@ -276,7 +276,8 @@ class contraction {
 
   // Whether a stretch inside or outside, but not on the borders of a piece between two facets lies inside.
   bool contains(const std::vector<stretch>& borders, const stretch& inner, const std::array<plane_id, 2>& facets) {
-    const auto [a, b] = facets;
+    const plane_id a = facets[0];
+    const plane_id b = facets[1];
     const std::vector<plane_id> through = planes_through(inner);
     if (later(inner.second, inner.first)) {
       for (const plane_id third : through)

@@ -331,8 +331,8 @@ inline builder held(int n) {
 inline builder pizza_box(int n) {
   std::vector<std::array<long, 2>> f, g;
   for (long i = 0; i <= 2L * n; ++i) {
-    f.push_back({12 * i - 12 * n, i % 2 == 0 ? 40 : 12 + i % 3});
-    g.push_back({12 * i - 12 * n, i % 2 == 0 ? 41 : 11 + i % 5});
+    f.push_back({12 * (i - n), i % 2 == 0 ? 40 : 12 + i % 3});
+    g.push_back({12 * (i - n), i % 2 == 0 ? 41 : 11 + i % 5});
   }
   return between_profiles(f, g);
 }

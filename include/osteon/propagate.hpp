@@ -105,7 +105,7 @@ class propagation {
       if (f.size() == 3) {
         const auto& e = solid_.vertices[v].edges;
         add_corner({f[0], f[1], f[2]}, {front_edge[e[1]], front_edge[e[2]], front_edge[e[0]]});
-      } else if (is_majority(solid_.vertices[v])) {
+      } else if (solid_.vertices[v].is_majority()) {
         add_majority(solid_.vertices[v], front_edge);
       } else {
         add_tree(solid_.vertices[v], trees[v], front_edge);
@@ -165,7 +165,7 @@ class propagation {
 
   // The preferred tree of a vertex, empty where it needs none; nothing where it has none.
   std::optional<split_tree> split(const boundary& b, int v) const {
-    if (b.vertices[v].facets.size() == 3 || is_majority(b.vertices[v])) return split_tree{};
+    if (b.vertices[v].facets.size() == 3 || b.vertices[v].is_majority()) return split_tree{};
     return splitter<K>(k_, corner_at(b, b.vertices[v])).best(options_.prefer);
   }
 
@@ -194,11 +194,6 @@ class propagation {
     corner c{v.facets, {}};
     for (const int e : v.edges) c.convex.push_back(b.edges[e].convex);
     return c;
-  }
-
-  static bool is_majority(const boundary::vertex& v) {
-    const auto& f = v.facets;
-    return f.size() == 6 && f[0] == f[3] && f[1] == f[4] && f[2] == f[5] && f[0] != f[1] && f[1] != f[2] && f[0] != f[2];
   }
 
   // A vertex of three facets, counter-clockwise, and the edges opposite them.

@@ -96,7 +96,7 @@ class formulas {
   number offset(int grade, const quadruple& q) const {
     if (grade > 7) return number(0);
     const auto l = lambda(grade / 2, q);
-    number sum = number(0);
+    auto sum = number(0);
     for (int r = 0; r < 4; ++r) sum = sum + l[r] * (grade % 2 == 0 ? a_.d(q[r]) : a_.delta(q[r]));
     return sum;
   }
@@ -133,7 +133,7 @@ class formulas {
 
   number compute_minor(int m, plane_id i, plane_id j, plane_id k) const {
     if (m == 0) return det(i, j, k, 0);
-    number sum = number(0);
+    auto sum = number(0);
     for (unsigned tilted = 1; tilted < 8; ++tilted)
       if (static_cast<int>((tilted & 1U) + (tilted >> 1U & 1U) + (tilted >> 2U)) == m) sum = sum + det(i, j, k, tilted);
     return sum;
