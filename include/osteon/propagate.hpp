@@ -308,6 +308,11 @@ class propagation {
     std::optional<meeting> horizon;
     for (const int e : vertex.edges)
       if (e >= 0 && collapse_[e] && (!horizon || k_.compare(*collapse_[e], *horizon) == sign::negative)) horizon = collapse_[e];
+    // What was found up to a later horizon is in the queue.
+    watched_until_.resize(std::max(watched_until_.size(), static_cast<std::size_t>(v) + 1));
+    auto& until = watched_until_[v];
+    if (until && (!*until || (horizon && k_.compare(*horizon, **until) != sign::positive))) return;
+    until = horizon;
     const auto& p = vertex.planes;
     for (plane_id l = 0; l < solid_.planes; ++l)
       if (l != p[0] && l != p[1] && l != p[2] && !front_.of_facet(l).empty()) consider(k_.meet({p[0], p[1], p[2], l}), horizon);
@@ -562,6 +567,7 @@ class propagation {
   std::priority_queue<meeting, std::vector<meeting>, later> queue_;
   std::unordered_set<quadruple, plane_hash> considered_;
   std::vector<std::optional<meeting>> collapse_;
+  std::vector<std::optional<std::optional<meeting>>> watched_until_;  // by vertex; inner nothing: for ever
   std::vector<int> reflex_;
   std::vector<bool> listed_;
 };
