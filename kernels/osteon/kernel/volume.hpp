@@ -11,6 +11,7 @@
 
 #include "osteon/error.hpp"
 #include "osteon/kernel.hpp"
+#include "osteon/kernel/forms.hpp"
 
 namespace osteon {
 
