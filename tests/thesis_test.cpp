@@ -81,7 +81,7 @@ TEST(Thesis, RawCountsOfDegenerateModels) {
   EXPECT_EQ(rows, 16);
 }
 
-// The two trees at Venus's point 45 that the table's program confused: one flip apart, so their volumes differ by one tetrahedron,
+// The two trees of least volume at Venus's point 45, whose order decides row 21: one flip apart, so their volumes differ by one tetrahedron,
 // whose sign is that of S^3 / (product of lambdas) and needs no volume at all. See docs/thesis-tables.md.
 TEST(Thesis, Row21LeastVolumeIsDecidedByOneTetrahedron) {
   OSTEON_NEEDS_CORPUS();
