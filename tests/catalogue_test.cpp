@@ -94,6 +94,29 @@ TEST(Catalogue, InverseEventsAreThoseOfTable31) {
   EXPECT_GT(checked, 20);
 }
 
+// What the event loop looks for (propagate.hpp) finds every event: an edge that collapses; two reflex edges that cross; a
+// reflex corner at any plane; a mixed corner at a plane that has an edge with one of the corner's facets.
+TEST(Catalogue, EveryEventIsLookedFor) {
+  for (cell small = 1; small < 16; ++small)
+    for (const auto& [boundary, e] : catalogue::get().events(small)) {
+      const auto corner = [&](unsigned omitted) { return corner_at(e.before, omitted, (small >> omitted & 1U) != 0); };
+      const auto line = [&](unsigned p, place w) { return piece_at(e.before, pairs[p], label(pairs[p], w, small, false)); };
+      bool found = false;
+      for (unsigned p = 0; p < 6; ++p) {
+        const auto at = line(p, segment);
+        found = found || (at != piece::none && is_corner(corner(pairs[p].k)) && is_corner(corner(pairs[p].l)));
+        found = found || (at == piece::reflex && line(5 - p, segment) == piece::reflex);
+        if (line(p, far_k) == piece::none && at == piece::none && line(p, far_l) == piece::none) continue;
+        for (const unsigned l : {pairs[p].i, pairs[p].j}) {
+          const auto at_l = corner(l);
+          found = found || (is_corner(at_l) && at_l != convex && at_l != reflex && at_l != majority);
+        }
+      }
+      for (unsigned l = 0; l < 4; ++l) found = found || corner(l) == reflex;
+      EXPECT_TRUE(found) << "small cell " << small << ", state " << e.before;
+    }
+}
+
 TEST(Catalogue, NineCorners) {
   int found = 0;
   for (unsigned g = 0; g < 256; ++g) {

@@ -106,6 +106,9 @@ constexpr int product_weight(std::uint8_t g) {
   return sum;
 }
 
+/// Convex and reflex corners: the solid, or what is not solid, is one octant.
+inline constexpr std::uint8_t convex = 0x80;
+inline constexpr std::uint8_t reflex = 0xFE;
 /// The majority corner: a vertex of three planes with six edges.
 inline constexpr std::uint8_t majority = 0b11101000;
 

@@ -300,11 +300,12 @@ class propagation {
     consider(m, std::nullopt);
   }
 
-  // A vertex reaches a plane. Beyond the first collapse of one of its edges the vertex does not live, or that edge has
-  // changed and the vertex is watched again.
+  // A vertex reaches a plane while its own edges live: a reflex one anywhere, a mixed one only where the plane has an edge
+  // with one of its facets, convex and majority corners nowhere (tests/catalogue_test.cpp, EveryEventIsLookedFor). Beyond
+  // the first collapse of one of its edges the vertex does not live, or that edge has changed and the vertex is watched again.
   void watch_contacts(int v) {
     const auto& vertex = front_.vertices()[v];
-    if (!vertex.alive) return;
+    if (!vertex.alive || !makes_contacts(v)) return;
     std::optional<meeting> horizon;
     for (const int e : vertex.edges)
       if (e >= 0 && collapse_[e] && (!horizon || k_.compare(*collapse_[e], *horizon) == sign::negative)) horizon = collapse_[e];
@@ -313,10 +314,39 @@ class propagation {
     auto& until = watched_until_[v];
     if (until && (!*until || (horizon && k_.compare(*horizon, **until) != sign::positive))) return;
     until = horizon;
-    const auto& p = vertex.planes;
-    for (plane_id l = 0; l < solid_.planes; ++l)
-      if (l != p[0] && l != p[1] && l != p[2] && !front_.of_facet(l).empty()) consider(k_.meet({p[0], p[1], p[2], l}), horizon);
+    if (corner_of(v) == local::reflex) {
+      for (plane_id l = 0; l < solid_.planes; ++l)
+        if (!front_.of_facet(l).empty()) consider_contact(v, l);
+      return;
+    }
+    std::vector<plane_id> neighbours;
+    for (const plane_id p : vertex.planes)
+      for (const int e : front_.of_facet(p)) {
+        const auto& planes = front_.edges()[e].planes;
+        neighbours.push_back(planes[planes[0] == p ? 1 : 0]);
+      }
+    std::sort(neighbours.begin(), neighbours.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    for (const plane_id l : neighbours) consider_contact(v, l);
   }
+
+  void consider_contact(int v, plane_id l) {
+    const auto& p = front_.vertices()[v].planes;
+    if (l != p[0] && l != p[1] && l != p[2]) consider(k_.meet({p[0], p[1], p[2], l}), *watched_until_[v]);
+  }
+
+  // Two facets have become neighbours: the vertices of either against the plane of the other.
+  void watch_neighbours(int e) {
+    if (!front_.edges()[e].alive) return;
+    const auto& planes = front_.edges()[e].planes;
+    for (const int side : {0, 1})
+      for (const int f : front_.of_facet(planes[side]))
+        for (const int v : front_.edges()[f].ends)
+          if (makes_contacts(v)) consider_contact(v, planes[1 - side]);
+  }
+
+  std::uint8_t corner_of(int v) const { return result_.arcs[front_.vertices()[v].arc].corner; }
+  bool makes_contacts(int v) const { return corner_of(v) != local::convex && corner_of(v) != local::majority; }
 
   // Two reflex edges cross; each is watched until it collapses or changes.
   void watch_crossings(int e) {
@@ -448,6 +478,7 @@ class propagation {
     }
 
     std::vector<int> changed;
+    const auto older = static_cast<int>(front_.edges().size());
     for (unsigned p = 0; p < 6; ++p) relink(n, p, after, before, made, changed);
     for (const int v : made)
       if (v >= 0) set_sheets(front_.vertices()[v]);
@@ -460,6 +491,7 @@ class propagation {
         if (std::find(watched.begin(), watched.end(), v) == watched.end()) watched.push_back(v);
     }
     for (const int v : watched) watch_contacts(v);
+    for (int e = older; e < static_cast<int>(front_.edges().size()); ++e) watch_neighbours(e);
     for (const int e : changed) watch_crossings(e);
   }
 
