@@ -300,8 +300,9 @@ class propagation {
     consider(m, std::nullopt);
   }
 
-  // A vertex reaches a plane while its own edges live: a reflex one anywhere, a mixed one only where the plane has an edge
-  // with one of its facets, convex and majority corners nowhere (tests/catalogue_test.cpp, EveryEventIsLookedFor). Beyond
+  // A vertex reaches a plane while its own edges live: only where the plane has an edge with one of its facets or, at a
+  // reflex vertex, where the four planes enclose a tetrahedron; convex and majority corners nowhere
+  // (tests/catalogue_test.cpp, EveryEventIsLookedFor). Beyond
   // the first collapse of one of its edges the vertex does not live, or that edge has changed and the vertex is watched again.
   void watch_contacts(int v) {
     const auto& vertex = front_.vertices()[v];
@@ -314,11 +315,6 @@ class propagation {
     auto& until = watched_until_[v];
     if (until && (!*until || (horizon && k_.compare(*horizon, **until) != sign::positive))) return;
     until = horizon;
-    if (corner_of(v) == local::reflex) {
-      for (plane_id l = 0; l < solid_.planes; ++l)
-        if (!front_.of_facet(l).empty()) consider_contact(v, l);
-      return;
-    }
     std::vector<plane_id> neighbours;
     for (const plane_id p : vertex.planes)
       for (const int e : front_.of_facet(p)) {
@@ -328,6 +324,10 @@ class propagation {
     std::sort(neighbours.begin(), neighbours.end());
     neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
     for (const plane_id l : neighbours) consider_contact(v, l);
+    if (corner_of(v) != local::reflex) return;
+    const auto& p = vertex.planes;
+    for (plane_id l = 0; l < solid_.planes; ++l)
+      if (!front_.of_facet(l).empty() && enclose({p[0], p[1], p[2], l})) consider_contact(v, l);
   }
 
   void consider_contact(int v, plane_id l) {
@@ -348,7 +348,19 @@ class propagation {
   std::uint8_t corner_of(int v) const { return result_.arcs[front_.vertices()[v].arc].corner; }
   bool makes_contacts(int v) const { return corner_of(v) != local::convex && corner_of(v) != local::majority; }
 
-  // Two reflex edges cross; each is watched until it collapses or changes.
+  // Whether the inner sides of four planes make a tetrahedron (the lambdas have one sign), or may make one where the kernel says zero.
+  bool enclose(const quadruple& q) const {
+    std::array<bool, 2> seen{};
+    for (unsigned r = 0; r < 4; ++r) {
+      const triple t = omit(q, r);
+      const sign s = k_.orientation(t[0], t[1], t[2]);
+      if (s != sign::zero) seen[(s == sign::positive) == (r % 2 == 0) ? 0 : 1] = true;
+      if (seen[0] && seen[1]) return false;
+    }
+    return true;
+  }
+
+  // Two reflex edges cross, which ends a tetrahedron between them; each is watched until it collapses or changes.
   void watch_crossings(int e) {
     const auto& edge = front_.edges()[e];
     if (!edge.alive || edge.convex) return;
@@ -360,7 +372,9 @@ class propagation {
       if (!f.alive) continue;
       reflex_[kept++] = other;
       if (f.planes[0] == edge.planes[0] || f.planes[0] == edge.planes[1] || f.planes[1] == edge.planes[0] || f.planes[1] == edge.planes[1]) continue;
-      const auto m = k_.meet({edge.planes[0], edge.planes[1], f.planes[0], f.planes[1]});
+      const quadruple q = {edge.planes[0], edge.planes[1], f.planes[0], f.planes[1]};
+      if (!enclose(q)) continue;
+      const auto m = k_.meet(q);
       if (collapse_[other] && m && k_.compare(*m, *collapse_[other]) == sign::positive) continue;
       consider(m, collapse_[e]);
     }
