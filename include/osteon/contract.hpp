@@ -145,20 +145,19 @@ class contraction {
 
   // The places strictly between the ends of an arc of these planes, in their order along it. Places are numbered in
   // order of time.
-  std::vector<int> between(const triple& planes, int from, int to) const {
+  std::vector<int> between(const triple& planes, int from, int to) {
     std::vector<int> result;
     const bool instant = places_[static_cast<std::size_t>(from)].when &&
                          k_.compare(*places_[static_cast<std::size_t>(from)].when, *places_[static_cast<std::size_t>(to)].when) == sign::zero;
     if (!instant) {
       for (int p = from + 1; p < to; ++p)
-        if (places_[static_cast<std::size_t>(p)].when && on_planes(places_[static_cast<std::size_t>(p)], planes) && later(p, from) && later(to, p))
-          result.push_back(p);
+        if (places_[static_cast<std::size_t>(p)].when && lies_on(p, planes) && later(p, from) && later(to, p)) result.push_back(p);
       return result;
     }
     int first = std::min(from, to);
     while (first > 0 && simultaneous(first - 1, from)) --first;
     for (int p = first; p < static_cast<int>(places_.size()) && simultaneous(p, from); ++p)
-      if (p != from && p != to && on_planes(places_[static_cast<std::size_t>(p)], planes) && separates(p, from, to)) result.push_back(p);
+      if (p != from && p != to && lies_on(p, planes) && separates(p, from, to)) result.push_back(p);
     std::sort(result.begin(), result.end(), [&](int p, int q) { return separates(p, from, q); });
     return result;
   }
@@ -293,6 +292,12 @@ class contraction {
       if (c != a && c != b && std::any_of(corner.begin(), corner.end(), [&](plane_id d) { return k_.orientation(a, c, d) != sign::zero; }))
         return contains_now(borders, inner, a, c);
     return false;
+  }
+
+  // Whether all of some planes, ascending, pass through a place.
+  bool lies_on(int p, const triple& planes) {
+    const auto& through = planes_through(p);
+    return std::includes(through.begin(), through.end(), planes.begin(), planes.end());
   }
 
   // Counts the borders met by the ray from within the stretch through its second end, moved a little to the inner side

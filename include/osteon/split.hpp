@@ -180,7 +180,6 @@ class splitter {
 
   plane_id plane(int facet) const { return c_.facets[facet]; }
   bool meet(plane_id a, plane_id b, plane_id c) const { return bounded_ ? k_.transversal(a, b, c) : k_.orientation(a, b, c) != sign::zero; }
-  bool is_side(int a, int b) const { return b == a + 1 || (a == 0 && b == c_.degree() - 1); }
 
   // The vertex (a,b,c) against facet d just after the start, remembered.
   sign side(int d, int a, int b, int c) const {
@@ -194,13 +193,13 @@ class splitter {
 
   bool positive(const std::array<int, 3>& v) const { return k_.orientation(plane(v[0]), plane(v[1]), plane(v[2])) == sign::positive; }
 
-  // The sides of the corner, then the diagonals, as edges of a triangulation.
-  int edge_number(std::span<const std::pair<int, int>> diagonals, int a, int b) const {
-    if (a > b) std::swap(a, b);
-    if (b == a + 1) return a;
-    if (a == 0 && b == c_.degree() - 1) return b;
-    const auto found = std::find(diagonals.begin(), diagonals.end(), std::pair(a, b));
-    return found == diagonals.end() ? -1 : c_.degree() + static_cast<int>(found - diagonals.begin());
+  // The edges of a triangulation by their ends (row the lesser one), -1 for none: the sides of the corner, then the diagonals.
+  std::vector<int> number_edges(std::span<const std::pair<int, int>> diagonals) const {
+    const int n = c_.degree();
+    std::vector<int> number(static_cast<std::size_t>(n) * n, -1);
+    for (int e = 0; e < n; ++e) number[e == n - 1 ? e : e * n + e + 1] = e;
+    for (std::size_t e = 0; e < diagonals.size(); ++e) number[diagonals[e].first * n + diagonals[e].second] = n + static_cast<int>(e);
+    return number;
   }
 
   // Builds the tree of a triangulation; false where it breaks the local rule. A triangle with two facets of one plane
@@ -213,12 +212,13 @@ class splitter {
       while (same[static_cast<std::size_t>(e)] != e) e = same[static_cast<std::size_t>(e)];
       return e;
     };
+    const std::vector<int> edge_at = number_edges(diagonals);
     std::vector<std::array<int, 3>> opposite;  // edge numbers of the vertices
     for (int a = 0; a < n; ++a)
       for (int b = a + 1; b < n; ++b)
-        for (int c = b + 1; c < n; ++c) {
-          const std::array<int, 3> e = {edge_number(diagonals, b, c), edge_number(diagonals, a, c), edge_number(diagonals, a, b)};
-          if (e[0] < 0 || e[1] < 0 || e[2] < 0) continue;
+        for (int c = b + 1; c < n && edge_at[a * n + b] >= 0; ++c) {
+          const std::array<int, 3> e = {edge_at[b * n + c], edge_at[a * n + c], edge_at[a * n + b]};
+          if (e[0] < 0 || e[1] < 0) continue;
           const std::array<bool, 3> joined = {plane(b) == plane(c), plane(a) == plane(c), plane(a) == plane(b)};
           const auto pairs = std::count(joined.begin(), joined.end(), true);
           if (pairs > 1) return false;

@@ -37,6 +37,20 @@ struct swept_plane {
   plane_id a, b;
 };
 
+/// The coefficients of e^2 in D and S, S within `error`.
+struct tilted_planes {
+  integer offset;
+  integer speed;
+  integer error;
+};
+
+/// The point where four planes meet, and the time, in units of 2^-128; each is wrong by at most `radius`, negative where nothing is known.
+struct rough_point {
+  std::array<integer, 3> x;
+  integer time;
+  integer radius;
+};
+
 /// What an exact kernel remembers of four planes (ascending): D, S within `error`, and D / S, which lies within `radius` of
 /// time + rest. Solids that are almost symmetric have events at times that differ in the fifteenth digit and later.
 struct remembered_planes {
@@ -44,15 +58,19 @@ struct remembered_planes {
   integer offset;
   integer speed;
   integer error;
+  mutable std::optional<tilted_planes> tilted;  ///< once asked for
+  mutable std::optional<rough_point> where;     ///< once asked for
   double time = 0;
   double rest = 0;
   double radius = std::numeric_limits<double>::infinity();
 };
 
-/// An arithmetic that can bound S cheaply: rough_speed(lambda, q) gives a value and its greatest error, in some unit of time.
+/// An arithmetic that can bound S cheaply: rough_speed(lambda, q) gives a value and its greatest error, in units of
+/// 2^-speed_bits; rough_speed(p) that of one plane, less than a unit too small.
 template <class Arithmetic>
 concept rough_arithmetic = requires(const Arithmetic& a, const std::array<integer, 4>& lambda, const quadruple& q) {
   { a.rough_speed(lambda, q) } -> std::same_as<std::pair<integer, integer>>;
+  { a.rough_speed(q[0]) } -> std::convertible_to<integer>;
 };
 
 /// Sign of the permutation that sorts four different planes.
@@ -124,18 +142,25 @@ class direct_kernel {
   }
   sign cross_at(int grade, const quadruple& q, const quadruple& r) const {
     if constexpr (rough_arithmetic<Arithmetic>)
-      if (grade <= 1) {
+      if (grade <= 2) {
         if (memory_.size() > most_remembered) memory_.clear();  // only here, so that both references below live
         const remembered_planes& a = recall(ascending(q));
         const remembered_planes& b = recall(ascending(r));
         // Less than four normals have one linear dependency at most, so equal supports mean proportional lambdas.
-        if (a.support == b.support && std::find(a.support.begin(), a.support.end(), -1) != a.support.end()) return sign::zero;
+        if (grade < 2 && a.support == b.support && std::find(a.support.begin(), a.support.end(), -1) != a.support.end()) return sign::zero;
         if (grade == 0) {
           const double later = (a.time - b.time) + (a.rest - b.rest);
           if (std::abs(later) * (1 - 0x1p-50) > a.radius + b.radius)
             return parity(q) * parity(r) * sign_of(later) * sign_of(a.speed) * sign_of(b.speed);
           const integer difference = a.offset * b.speed - b.offset * a.speed;
           if (abs(difference) > abs(a.offset) * b.error + abs(b.offset) * a.error) return parity(q) * parity(r) * sign_of(difference);
+        }
+        if (grade == 2) {
+          const tilted_planes& c = recall_tilted(a, ascending(q));
+          const tilted_planes& d = recall_tilted(b, ascending(r));
+          const integer difference = c.offset * b.speed - d.offset * a.speed + a.offset * d.speed - b.offset * c.speed;
+          const integer error = abs(c.offset) * b.error + abs(d.offset) * a.error + abs(a.offset) * d.error + abs(b.offset) * c.error;
+          if (abs(difference) > error) return parity(q) * parity(r) * sign_of(difference);
         }
       }
     return f_.cross_at(grade, q, r);
@@ -149,6 +174,26 @@ class direct_kernel {
     if (parity(q) == sign::positive) return std::pair(known.offset, known.speed);
     return std::pair(integer(-known.offset), integer(-known.speed));
   }
+  /// Sign of h_d at the point where the planes of q (ascending) meet; zero where that is not certain.
+  sign rough_side(plane_id d, const quadruple& q) const requires rough_arithmetic<Arithmetic> {
+    const auto& a = f_.arithmetic();
+    const remembered_planes& known = recall(q);
+    if (!known.where) known.where = locate(q, known);
+    const rough_point& at = *known.where;
+    if (at.radius < 0) return sign::zero;
+    constexpr auto bits = static_cast<unsigned>(speed_bits);
+    integer inner = 0;
+    integer size = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      inner += a.n(d, axis) * at.x[axis];
+      size += abs(a.n(d, axis));
+    }
+    const integer speed = a.rough_speed(d);
+    const integer value = (a.d(d) << (2 * bits)) - speed * at.time - (inner << bits);
+    const integer error = at.radius * (speed + 1) + abs(at.time) + (at.radius * size << bits);
+    return abs(value) > error ? sign_of(value) : sign::zero;
+  }
+
   /// The unit of refined speeds is 2^-speed_bits.
   static constexpr int speed_bits = Arithmetic::speed_bits;
 
@@ -172,6 +217,55 @@ class direct_kernel {
       set_time(at->second);
     }
     return at->second;
+  }
+
+  const tilted_planes& recall_tilted(const remembered_planes& p, const quadruple& q) const {
+    if (!p.tilted) {
+      const auto lambda = f_.lambda(1, q);
+      p.tilted.emplace();
+      for (int r = 0; r < 4; ++r) p.tilted->offset += lambda[r] * f_.arithmetic().d(q[r]);
+      std::tie(p.tilted->speed, p.tilted->error) = f_.arithmetic().rough_speed(lambda, q);
+    }
+    return *p.tilted;
+  }
+
+  // The point is the solution for three of the planes, those with the greatest lambda: with t = D / S,
+  //     lambda S x = sum (d_i S - D sigma_i) n_j x n_k.
+  rough_point locate(const quadruple& q, const remembered_planes& known) const {
+    const auto& a = f_.arithmetic();
+    const auto lambda = f_.lambda(0, q);
+    int omitted = 0;
+    for (int r = 1; r < 4; ++r)
+      if (abs(lambda[r]) > abs(lambda[omitted])) omitted = r;
+    triple t{};
+    std::remove_copy(q.begin(), q.end(), t.begin(), q[omitted]);
+    const integer det = f_.minor(0, t[0], t[1], t[2]);
+    const integer below = (abs(known.speed) - known.error) * abs(det);
+    rough_point at{{}, 0, -1};
+    if (sign_of(below) != sign::positive) return at;
+    constexpr auto bits = static_cast<unsigned>(speed_bits);
+    const integer size = abs(known.speed);
+    // |D / S' - D / S| = |D| |S' - S| / |S S'|
+    at.time = (known.offset << (2 * bits)) / known.speed;
+    at.radius = ((abs(known.offset) << (2 * bits)) / size * known.error) / (size - known.error) + 2;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int u = (axis + 1) % 3;
+      const int v = (axis + 2) % 3;
+      integer sum = 0;
+      integer error = 0;
+      for (int r = 0; r < 3; ++r) {
+        const plane_id i = t[r];
+        const plane_id j = t[(r + 1) % 3];
+        const plane_id k = t[(r + 2) % 3];
+        const integer normal = a.n(j, u) * a.n(k, v) - a.n(j, v) * a.n(k, u);
+        sum += (a.d(i) * known.speed - known.offset * a.rough_speed(i)) * normal;
+        error += (abs(a.d(i)) * known.error + abs(known.offset)) * abs(normal);
+      }
+      at.x[axis] = (sum << bits) / (det * known.speed);
+      const integer radius = ((error + abs(sum) * known.error / size + 1) << bits) / below + 2;
+      if (radius > at.radius) at.radius = radius;
+    }
+    return at;
   }
 
   // D / S in two doubles: rounded at the 128th bit of a quotient of at least 128 bits, then at the 106th.

@@ -4,6 +4,7 @@
 /// \file
 /// filtered<K>: certified floating point first, K only where that cannot decide.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -50,6 +51,8 @@ class filtered {
 
   meeting meeting_of(const quadruple& q) const {
     meeting m = estimated(ascending(q));
+    refine(m);
+    bound_time(m);
     const auto s = m.speed.certain_sign();
     m.closing = s ? *s : exact_.closing_at(0, m.planes);
     return m;
@@ -75,7 +78,15 @@ class filtered {
     const sign corner = orientation(a, b, c);
     const quadruple q{a, b, c, d};
     if (m.planes == start_planes) return -closing_at(0, q) * corner;
-    return cross(estimated(q), m) * m.closing * corner;
+    meeting other = estimated(q);
+    if (const auto s = quick_cross(other, m)) return *s * m.closing * corner;
+    if constexpr (requires { exact_.rough_side(d, m.planes); }) {
+      const auto meets = [&m](plane_id p) { return std::find(m.planes.begin(), m.planes.end(), p) != m.planes.end(); };
+      if (meets(a) && meets(b) && meets(c))
+        if (const sign s = exact_.rough_side(d, m.planes); s != sign::zero) return s;
+    }
+    refine(other);
+    return cross(other, m) * m.closing * corner;
   }
 
   bisector_type bisector(plane_id a, plane_id b) const { return exact_.bisector(a, b); }
@@ -100,7 +111,7 @@ class filtered {
   }
 
  private:
-  // D, S and the time's interval; the sign of S still open.
+  // D and S; the sign of S and the time's interval still open.
   meeting estimated(const quadruple& q) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto& a = fast_.arithmetic();
@@ -110,7 +121,10 @@ class filtered {
       m.offset = m.offset + lambda[r] * a.d(q[r]);
       m.speed = m.speed + lambda[r] * a.speed(q[r]);
     }
-    refine(m);
+    return m;
+  }
+
+  static void bound_time(meeting& m) {
     const double below = std::abs(m.speed.value) - m.speed.error();
     if (below > 0 && m.speed.scale > 1e-250 && m.offset.scale > 1e-250 && m.speed.scale < 1e290 && m.offset.scale < 1e290) {
       const double t = m.offset.value / m.speed.value;
@@ -119,7 +133,6 @@ class filtered {
       m.earliest = t - radius;
       m.latest = t + radius;
     }
-    return m;
   }
 
   // Almost coplanar planes leave few bits of D and S; then they are worth being computed exactly, once, and rounded:
@@ -134,8 +147,10 @@ class filtered {
     }
   }
 
+  static std::optional<sign> quick_cross(const meeting& m, const meeting& n) { return (m.offset * n.speed - n.offset * m.speed).certain_sign(); }
+
   sign cross(const meeting& m, const meeting& n) const {
-    const auto s = (m.offset * n.speed - n.offset * m.speed).certain_sign();
+    const auto s = quick_cross(m, n);
     return s ? *s : exact_.cross_at(0, m.planes, n.planes);
   }
 

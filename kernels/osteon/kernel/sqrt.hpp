@@ -74,11 +74,14 @@ class sqrt_arithmetic : public integer_planes {
   sign decide(const linear_form<integer>& f) const { return roots_.sign_of_form(f.terms, f.size); }
   const square_classes& roots() const { return roots_; }
 
+  /// A speed in units of 2^-128, less than 1 too small.
+  const integer& rough_speed(plane_id p) const { return roots_.refined(p); }
+
   /// S with roots rounded to 2^-128; each is less than 1 too small in that unit.
   std::pair<integer, integer> rough_speed(const std::array<integer, 4>& lambda, const quadruple& q) const {
     std::pair<integer, integer> s = {0, 0};
     for (int r = 0; r < 4; ++r) {
-      s.first += lambda[r] * roots_.refined(q[r]);
+      s.first += lambda[r] * rough_speed(q[r]);
       s.second += abs(lambda[r]);
     }
     return s;
