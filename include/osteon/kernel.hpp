@@ -98,7 +98,8 @@ concept kernel = std::copyable<typename K::meeting> &&
 
 /// A kernel whose predicates can be asked for the coefficient of any power of an infinitesimal, which is what the
 /// adaptor `perturbed` needs (design 04). Grade 0 is the unperturbed predicate; plane i is taken as
-/// n_i + e^2 u_i, d_i + e delta_i with fixed integers u_i, delta_i; the answer is the coefficient of e^grade.
+/// n_i + e^2 u_i, d_i + e delta_i with fixed integers u_i, delta_i; the answer is the coefficient of e^grade. Where the orientation of a
+/// corner is zero, side answers zero.
 template <class K>
 concept graded_kernel = kernel<K> && requires(const K& k, int grade, const triple& t, const quadruple& q) {
   { k.orientation_at(grade, t) } -> std::same_as<sign>;

@@ -77,6 +77,7 @@ class filtered {
   sign side(plane_id d, plane_id a, plane_id b, plane_id c, const meeting& m) const {
     const sign corner = orientation(a, b, c);
     const quadruple q{a, b, c, d};
+    if (corner == sign::zero) return sign::zero;
     if (m.planes == start_planes) return -closing_at(0, q) * corner;
     meeting other = estimated(q);
     if (const auto s = quick_cross(other, m)) return *s * m.closing * corner;

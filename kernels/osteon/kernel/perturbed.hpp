@@ -69,16 +69,13 @@ class perturbed {
   }
 
   sign side(plane_id d, plane_id a, plane_id b, plane_id c, const meeting& m) const {
-    const sign corner = orientation(a, b, c);
     const quadruple q{a, b, c, d};
     const quadruple r = planes(m);
-    if (r == start_planes) return at_start(q) * corner;
-    if (ascending(q) == r) return sign::zero;
-    if (m.regular && k_.transversal(a, b, c)) {
-      const sign s = k_.side(d, a, b, c, m.base);
-      if (s != sign::zero) return s;
-    }
-    return leading([&](int g) { return k_.cross_at(g, q, r); }, 0).value * m.closing * corner;
+    if (r == start_planes) return at_start(q) * orientation(a, b, c);
+    if ((d == r[0] || d == r[1] || d == r[2] || d == r[3]) && ascending(q) == r) return sign::zero;
+    if (m.regular)
+      if (const sign s = k_.side(d, a, b, c, m.base); s != sign::zero) return s;
+    return leading([&](int g) { return k_.cross_at(g, q, r); }, 0).value * m.closing * orientation(a, b, c);
   }
 
   bisector_type bisector(plane_id a, plane_id b) const { return k_.bisector(a, b); }
