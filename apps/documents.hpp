@@ -2,13 +2,21 @@
 #pragma once
 
 /// \file
-/// The JSON that the program writes.
+/// The JSON that the program writes and reads; docs/skeleton.schema.json describes it.
 
+#include <algorithm>
+#include <cstdint>
+#include <istream>
+#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "osteon/contract.hpp"
+#include "osteon/error.hpp"
 #include "osteon/kernel/integer.hpp"
 #include "osteon/kernel/locate.hpp"
 #include "osteon/skeleton.hpp"
@@ -17,6 +25,8 @@
 namespace osteon::app {
 
 using json = nlohmann::ordered_json;
+
+inline constexpr const char* skeleton_format = "osteon skeleton 2";
 
 /// The events of a skeleton by class, in the thesis's order.
 inline json events_document(const skeleton& s) {
@@ -29,8 +39,14 @@ inline json counts_document(const contracted_skeleton& s) {
   return {{"nodes", s.nodes.size()}, {"arcs", s.arcs.size()}, {"sheets", s.sheets.size()}, {"cells", s.cells}};
 }
 
-/// The whole skeleton. Exact numbers are strings; `time` and `point` are rounded to doubles, in the units of the input.
-inline json skeleton_document(const solid<integer>& of, const skeleton& s, const std::optional<contracted_skeleton>& exact) {
+/// How a skeleton came about.
+struct provenance {
+  std::string kernel, prefer, saddle;
+};
+
+/// The whole skeleton, without loss: read_skeleton gives it back. Exact numbers are strings; `time` and `point` follow from the planes and are
+/// rounded to doubles, in the units of the input. Points and edges of the solid go by the points' numbers in the input, from 1.
+inline json skeleton_document(const solid<integer>& of, const skeleton& s, const std::optional<contracted_skeleton>& exact, const provenance& by) {
   const locator where(of.planes);
   const rational unit = [&] {
     const auto power = [](int base, int exponent) {
@@ -46,7 +62,10 @@ inline json skeleton_document(const solid<integer>& of, const skeleton& s, const
   };
 
   json doc;
-  doc["format"] = "osteon skeleton 1";
+  doc["format"] = skeleton_format;
+  doc["kernel"] = by.kernel;
+  doc["prefer"] = by.prefer;
+  doc["saddle"] = by.saddle;
   doc["scale"] = {{"ten", of.ten}, {"two", of.two}, {"shift", {of.shift[0].str(), of.shift[1].str(), of.shift[2].str()}}};
   doc["planes"] = json::array();
   for (const auto& p : of.planes)
@@ -57,6 +76,7 @@ inline json skeleton_document(const solid<integer>& of, const skeleton& s, const
     if (n.vertex >= 0) {
       const auto& p = of.points[static_cast<std::size_t>(n.vertex)];
       node = {{"vertex", of.input_points[static_cast<std::size_t>(n.vertex)] + 1},
+              {"planes", {n.planes[0], n.planes[1], n.planes[2]}},
               {"time", 0.0},
               {"point", to_input({rational(p[0]), rational(p[1]), rational(p[2])})}};
     } else {
@@ -70,18 +90,193 @@ inline json skeleton_document(const solid<integer>& of, const skeleton& s, const
     doc["nodes"].push_back(std::move(node));
   }
   doc["arcs"] = json::array();
-  for (const auto& a : s.arcs) doc["arcs"].push_back({{"source", a.source}, {"target", a.target}, {"planes", a.planes}, {"sheets", a.sheets}});
+  for (const auto& a : s.arcs)
+    doc["arcs"].push_back({{"source", a.source}, {"target", a.target}, {"planes", a.planes}, {"corner", a.corner}, {"sheets", a.sheets}});
   doc["sheets"] = json::array();
-  for (const auto& t : s.sheets) doc["sheets"].push_back({{"facets", t.facets}, {"polygon", t.polygon}, {"arcs", t.arcs}});
+  for (const auto& t : s.sheets) {
+    json sheet = {{"facets", t.facets}, {"polygon", t.polygon}, {"arcs", t.arcs}};
+    if (t.input_edge >= 0) {
+      const auto& ends = of.boundary.edges[static_cast<std::size_t>(t.input_edge)].ends;
+      sheet["edge"] = {of.input_points[static_cast<std::size_t>(ends[0])] + 1, of.input_points[static_cast<std::size_t>(ends[1])] + 1};
+    }
+    doc["sheets"].push_back(std::move(sheet));
+  }
   doc["cells"] = s.cells;
+  doc["events"] = events_document(s);
+  doc["ambiguous"] = s.ambiguous;
   if (exact) {
     json& c = doc["contracted"];
-    c = {{"nodes", json::array()}, {"arcs", json::array()}, {"sheets", json::array()}};
+    c = {{"nodes", json::array()}, {"arcs", json::array()}, {"sheets", json::array()}, {"cells", exact->cells}};
     for (const auto& n : exact->nodes) c["nodes"].push_back({{"raw", n.raw}, {"arcs", n.arcs}});
     for (const auto& a : exact->arcs) c["arcs"].push_back({{"source", a.source}, {"target", a.target}, {"cells", a.cells}, {"sheets", a.sheets}});
     for (const auto& t : exact->sheets) c["sheets"].push_back({{"facets", t.facets}, {"raw", t.raw}, {"arcs", t.arcs}});
   }
   return doc;
 }
+
+/// What a document says.
+struct skeleton_file {
+  provenance by;
+  std::vector<moving_plane<integer>> planes;
+  skeleton raw;
+  std::optional<contracted_skeleton> exact;
+};
+
+/// Reads what skeleton_document writes. Throws input_error(not_skeleton) naming the element where the text has another shape; whether the numbers
+/// make sense is not looked at (verify does), but all fit into their types. Linear in the text.
+class skeleton_reader {
+ public:
+  skeleton_reader(std::string name, const solid<integer>& of) : name_(std::move(name)), of_(of) {}
+
+  skeleton_file read(std::istream& in) {
+    const json doc = json::parse(in, nullptr, false);
+    if (doc.is_discarded()) wrong("", "is no JSON text");
+    if (text(doc, "format", "") != skeleton_format) wrong("format", std::string("is not \"") + skeleton_format + '"');
+    skeleton_file result;
+    result.by = {text(doc, "kernel", ""), text(doc, "prefer", ""), text(doc, "saddle", "")};
+    for_each(doc, "planes", [&](const json& p, const std::string& at) {
+      const auto n = exact_numbers(member(p, "n", at), at + ".n");
+      if (n.size() != 3) wrong(at + ".n", "needs three numbers");
+      result.planes.push_back(
+          {{n[0], n[1], n[2]}, exact_number_in(member(p, "d", at), at + ".d"), exact_number_in(member(p, "weight", at), at + ".weight")});
+    });
+    read_raw(doc, result.raw);
+    if (doc.contains("contracted")) read_contracted(doc["contracted"], result.exact.emplace());
+    return result;
+  }
+
+ private:
+  [[noreturn]] void wrong(const std::string& at, const std::string& what) const {
+    throw input_error(input_fault::not_skeleton, 0, name_ + ": " + (at.empty() ? "" : at + " ") + what,
+                      "give a file that `osteon skeleton --output` has written");
+  }
+
+  const json& member(const json& of, const char* key, const std::string& at) const {
+    if (!of.is_object() || !of.contains(key)) wrong(at.empty() ? key : at + "." + key, "is missing");
+    return of[key];
+  }
+  std::string text(const json& of, const char* key, const std::string& at) const {
+    const json& value = member(of, key, at);
+    if (!value.is_string()) wrong(at.empty() ? key : at + "." + key, "is no text");
+    return value.get<std::string>();
+  }
+  int whole(const json& value, const std::string& at) const {
+    if (!value.is_number_integer() || (value.is_number_unsigned() && value.get<std::uint64_t>() > std::numeric_limits<int>::max()) ||
+        value.get<std::int64_t>() > std::numeric_limits<int>::max() || value.get<std::int64_t>() < std::numeric_limits<int>::min())
+      wrong(at, "is no whole number of 32 bits");
+    return value.get<int>();
+  }
+  int whole(const json& of, const char* key, const std::string& at) const { return whole(member(of, key, at), at + "." + key); }
+  std::vector<int> list(const json& of, const char* key, const std::string& at) const { return list(member(of, key, at), at + "." + key); }
+  std::vector<int> list(const json& value, const std::string& at) const {
+    if (!value.is_array()) wrong(at, "is no list");
+    std::vector<int> result;
+    for (std::size_t i = 0; i < value.size(); ++i) result.push_back(whole(value[i], at + "[" + std::to_string(i) + "]"));
+    return result;
+  }
+  template <std::size_t N>
+  std::array<int, N> tuple(const json& of, const char* key, const std::string& at) const {
+    const std::vector<int> numbers = list(of, key, at);
+    if (numbers.size() != N) wrong(at + "." + key, "needs " + std::to_string(N) + " numbers");
+    std::array<int, N> result{};
+    std::copy(numbers.begin(), numbers.end(), result.begin());
+    return result;
+  }
+  integer exact_number_in(const json& value, const std::string& at) const {
+    const std::string digits = value.is_string() ? value.get<std::string>() : "";
+    const std::size_t sign = digits.starts_with('-') ? 1 : 0;
+    if (digits.size() == sign || digits.find_first_not_of("0123456789", sign) != std::string::npos) wrong(at, "is no whole number in quotes");
+    const std::size_t zeros = std::min(digits.find_first_not_of('0', sign), digits.size() - 1);  // a leading zero would mean base eight
+    return integer(digits.substr(0, sign) + digits.substr(zeros));
+  }
+  std::vector<integer> exact_numbers(const json& value, const std::string& at) const {
+    if (!value.is_array()) wrong(at, "is no list");
+    std::vector<integer> result;
+    for (const json& x : value) result.push_back(exact_number_in(x, at));
+    return result;
+  }
+  template <class Visit>
+  void for_each(const json& of, const char* key, Visit visit, const std::string& at = "") const {
+    const json& all = member(of, key, at);
+    const std::string path = at.empty() ? key : at + "." + key;
+    if (!all.is_array()) wrong(path, "is no list");
+    for (std::size_t i = 0; i < all.size(); ++i) visit(all[i], path + "[" + std::to_string(i) + "]");
+  }
+
+  void read_raw(const json& doc, skeleton& s) const {
+    std::map<int, int> vertex_of;  // by point of the input
+    for (std::size_t v = 0; v < of_.input_points.size(); ++v) vertex_of[of_.input_points[v] + 1] = static_cast<int>(v);
+    std::map<std::pair<int, int>, int> edge_of;
+    for (std::size_t e = 0; e < of_.boundary.edges.size(); ++e) {
+      const auto& ends = of_.boundary.edges[e].ends;
+      edge_of[std::minmax({ends[0], ends[1]})] = static_cast<int>(e);
+    }
+    // A number that no vertex or edge has: the certificate refutes it.
+    const int none = std::numeric_limits<int>::max();
+    const auto vertex = [&](int point) { return vertex_of.contains(point) ? vertex_of[point] : none; };
+
+    for_each(doc, "nodes", [&](const json& n, const std::string& at) {
+      skeleton::node node{-1, {-1, -1, -1, -1}, event_class::other, false, list(n, "arcs", at)};
+      if (n.contains("vertex")) {
+        node.vertex = vertex(whole(n, "vertex", at));
+        const auto planes = tuple<3>(n, "planes", at);
+        node.planes = {planes[0], planes[1], planes[2], -1};
+      } else {
+        node.planes = tuple<4>(n, "planes", at);
+        const auto found = std::find(event_names.begin(), event_names.end(), text(n, "event", at));
+        if (found == event_names.end()) wrong(at + ".event", "is no class of events");
+        node.event = static_cast<event_class>(found - event_names.begin());
+        if (!member(n, "ambiguous", at).is_boolean()) wrong(at + ".ambiguous", "is neither true nor false");
+        node.ambiguous = n["ambiguous"].get<bool>();
+      }
+      s.nodes.push_back(std::move(node));
+    });
+    for_each(doc, "arcs", [&](const json& a, const std::string& at) {
+      const int corner = whole(a, "corner", at);
+      if (corner < 0 || corner > 255) wrong(at + ".corner", "is not between 0 and 255");
+      s.arcs.push_back(
+          {whole(a, "source", at), whole(a, "target", at), tuple<3>(a, "planes", at), static_cast<std::uint8_t>(corner), list(a, "sheets", at)});
+    });
+    for_each(doc, "sheets", [&](const json& t, const std::string& at) {
+      int edge = -1;
+      if (t.contains("edge")) {
+        const auto points = tuple<2>(t, "edge", at);
+        const auto found = edge_of.find(std::minmax({vertex(points[0]), vertex(points[1])}));
+        edge = found == edge_of.end() ? none : found->second;
+      }
+      s.sheets.push_back({tuple<2>(t, "facets", at), edge, whole(t, "polygon", at), list(t, "arcs", at)});
+    });
+    for_each(doc, "cells", [&](const json& c, const std::string& at) { s.cells.push_back(list(c, at)); });
+    for (std::size_t c = 0; c < event_names.size(); ++c)
+      s.events[c] = whole(member(doc, "events", ""), std::string(event_names[c]).c_str(), "events");
+    s.ambiguous = whole(member(doc, "ambiguous", ""), "ambiguous");
+  }
+
+  void read_contracted(const json& doc, contracted_skeleton& s) const {
+    const std::string in = "contracted";
+    for_each(
+        doc, "nodes",
+        [&](const json& n, const std::string& at) {
+          s.nodes.push_back({list(n, "raw", at), list(n, "arcs", at)});
+        },
+        in);
+    for_each(
+        doc, "arcs",
+        [&](const json& a, const std::string& at) {
+          s.arcs.push_back({whole(a, "source", at), whole(a, "target", at), list(a, "cells", at), list(a, "sheets", at)});
+        },
+        in);
+    for_each(
+        doc, "sheets",
+        [&](const json& t, const std::string& at) {
+          s.sheets.push_back({tuple<2>(t, "facets", at), list(t, "raw", at), list(t, "arcs", at)});
+        },
+        in);
+    s.cells = whole(doc, "cells", in);
+  }
+
+  std::string name_;
+  const solid<integer>& of_;
+};
 
 }  // namespace osteon::app

@@ -30,11 +30,12 @@
 #include "osteon/obj.hpp"
 #include "osteon/propagate.hpp"
 #include "osteon/solid.hpp"
+#include "osteon/verify.hpp"
 
 namespace osteon::app {
 namespace {
 
-enum status : int { done = 0, usage = 2, bad_input = 3, undecided = 4, broken = 5 };
+enum status : int { done = 0, refuted = 1, usage = 2, bad_input = 3, undecided = 4, broken = 5 };
 
 const std::map<std::string, split_preference> preferences = {{"convex", split_preference::convex},
                                                              {"reflex", split_preference::reflex},
@@ -42,6 +43,10 @@ const std::map<std::string, split_preference> preferences = {{"convex", split_pr
                                                              {"max-volume", split_preference::max_volume}};
 const std::map<std::string, saddle_rule> saddles = {
     {"convex", saddle_rule::convex}, {"reflex", saddle_rule::reflex}, {"slower", saddle_rule::slower}, {"faster", saddle_rule::faster}};
+
+std::string name_of(saddle_rule rule) {
+  return std::find_if(saddles.begin(), saddles.end(), [rule](const auto& s) { return s.second == rule; })->first;
+}
 
 template <class Value>
 std::vector<std::string> names(const std::map<std::string, Value>& of) {
@@ -98,6 +103,17 @@ auto with_kernel(const std::string& name, std::span<const moving_plane<integer>>
   return body(perturbed(filtered(planes, make_sqrt_kernel(planes))));
 }
 
+/// The certificate of a skeleton by the named kernel (double: by the exact one), contracted where it is given.
+std::optional<refutation> certify(const solid<integer>& s, const std::string& name, const skeleton& raw,
+                                  const std::optional<contracted_skeleton>& exact) {
+  const auto check = [&](const auto& k) -> std::optional<refutation> {
+    if (auto broken = verify(k, s.boundary, raw)) return broken;
+    return exact ? verify_contraction(k.base(), s.boundary, raw, *exact) : std::nullopt;
+  };
+  if (name == "rational") return check(perturbed(filtered(std::span<const moving_plane<integer>>(s.planes), make_rational_kernel(s.planes))));
+  return check(perturbed(filtered(std::span<const moving_plane<integer>>(s.planes), make_sqrt_kernel(s.planes))));
+}
+
 /// Writes to a new file first, so that nothing is lost when that fails.
 void write_file(const std::string& name, const std::string& text) {
   const std::string fresh = name + ".part";
@@ -117,6 +133,7 @@ struct skeleton_command {
   std::string saddle;
   std::string output;
   bool summary = false;
+  bool certified = false;
 
   void add_to(CLI::App& program) {
     CLI::App* c = program.add_subcommand("skeleton", "compute the straight skeleton of a polyhedron");
@@ -129,6 +146,7 @@ struct skeleton_command {
         ->check(CLI::IsMember(names(saddles)));
     c->add_option("--output", output, "write the skeleton as JSON to this file");
     c->add_flag("--summary", summary, "print one JSON object with counts instead of the skeleton");
+    c->add_flag("--verify", certified, "check the result's certificate; ends with status 5 should it be refuted");
     c->footer(
         "Examples:\n  osteon skeleton bunny.obj --summary\n  osteon skeleton bunny.obj --prefer min-volume --saddle faster --output bunny.json");
     c->callback([this] { run(); });
@@ -143,7 +161,12 @@ struct skeleton_command {
     const both_skeletons both = with_kernel(kernel, s.planes, [&](const auto& k) { return compute(k, s.boundary, o); });
     const skeleton& result = both.raw;
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    if (!output.empty()) write_file(output, skeleton_document(s, result, both.exact).dump() + "\n");
+    if (certified)
+      if (const auto broken = certify(s, kernel, result, both.exact))
+        throw invariant_error(
+            fmt::format("the certificate is refuted: {}: {}", rule_names[static_cast<std::size_t>(broken->broken)], broken->witness));
+    const provenance by = {kernel, prefer, name_of(o.saddle)};
+    if (!output.empty()) write_file(output, skeleton_document(s, result, both.exact, by).dump() + "\n");
     if (summary) {
       json doc;
       doc["input"] = {{"vertices", s.boundary.vertices.size()}, {"edges", s.boundary.edges.size()}, {"facets", s.facets}};
@@ -153,11 +176,52 @@ struct skeleton_command {
       if (both.exact) doc["skeleton"] = counts_document(*both.exact);
       doc["events"] = events_document(result);
       doc["ambiguous"] = result.ambiguous;
+      if (certified) doc["certified"] = true;
       doc["seconds"] = took.count();
       fmt::print("{}\n", doc.dump());
     } else if (output.empty()) {
-      fmt::print("{}\n", skeleton_document(s, result, both.exact).dump());
+      fmt::print("{}\n", skeleton_document(s, result, both.exact, by).dump());
     }
+  }
+};
+
+struct verify_command {
+  model input;
+  std::string file;
+  bool holds = true;
+
+  void add_to(CLI::App& program) {
+    CLI::App* c = program.add_subcommand("verify", "check the certificate of a skeleton");
+    input.add_to(*c);
+    c->add_option("SKELETON", file, "what osteon skeleton --output has written")->required();
+    c->footer(
+        "Prints one JSON object. Exit status 0: certified; 1: refuted, with the broken rule and a witness; 3: unreadable.\n"
+        "Example:\n  osteon skeleton bunny.obj --output bunny.json && osteon verify bunny.obj bunny.json");
+    c->callback([this] { run(); });
+  }
+
+  void run() {
+    const solid<integer> s = input.read();
+    std::ifstream in(file, std::ios::binary);
+    if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
+    const skeleton_file given = skeleton_reader(file, s).read(in);
+    const auto broken = check(s, given);
+    holds = !broken;
+    json doc = {{"certified", holds}};
+    if (broken) {
+      doc["rule"] = rule_names[static_cast<std::size_t>(broken->broken)];
+      doc["witness"] = broken->witness;
+    }
+    fmt::print("{}\n", doc.dump());
+  }
+
+  static std::optional<refutation> check(const solid<integer>& s, const skeleton_file& given) {
+    for (std::size_t p = 0; p < std::max(s.planes.size(), given.planes.size()); ++p) {
+      const bool same = p < s.planes.size() && p < given.planes.size() && s.planes[p].n == given.planes[p].n && s.planes[p].d == given.planes[p].d &&
+                        s.planes[p].weight == given.planes[p].weight;
+      if (!same) return refutation{rule::structure, fmt::format("plane {} is not that of the solid", p)};
+    }
+    return certify(s, given.by.kernel, given.raw, given.exact);
   }
 };
 
@@ -278,17 +342,20 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   program.set_version_flag("--version", "osteon 0.1.0");
   program.footer(
-      "Exit status: 0 done, 2 wrong usage, 3 bad input, 4 the kernel could not decide, 5 internal invariant violated.\nExample:\n  osteon skeleton "
+      "Exit status: 0 done, 1 refuted (verify), 2 wrong usage, 3 bad input, 4 the kernel could not decide, 5 internal invariant "
+      "violated.\nExample:\n  osteon skeleton "
       "model.obj --summary");
   skeleton_command skeletons;
   skeletons.add_to(program);
+  verify_command verification;
+  verification.add_to(program);
   splits_command splits;
   splits.add_to(program);
   generate_command generate;
   generate.add_to(program);
   try {
     program.parse(argc, argv);
-    return done;
+    return verification.holds ? done : refuted;
   } catch (const CLI::ParseError& e) {
     return program.exit(e) == 0 ? done : usage;
   } catch (const input_error& e) {

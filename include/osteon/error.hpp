@@ -40,7 +40,8 @@ enum class input_fault : std::uint8_t {
   two_fans,             ///< two fans of facets share only a point
   self_intersection,    ///< two facets meet where they should not
   weight_not_positive,  ///< the weight of a facet is not greater than zero
-  weight_conflict       ///< adjacent coplanar facets with different weights
+  weight_conflict,      ///< adjacent coplanar facets with different weights
+  not_skeleton          ///< a text that is no skeleton document
 };
 
 /// The input is not a solid. `element` is the point's, facet's or line's number, counted from one, or 0.

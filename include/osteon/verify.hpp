@@ -32,6 +32,7 @@
 #include <vector>
 
 #include "osteon/boundary.hpp"
+#include "osteon/contract.hpp"
 #include "osteon/error.hpp"
 #include "osteon/kernel.hpp"
 #include "osteon/skeleton.hpp"
@@ -136,6 +137,7 @@ class verifier {
       check_borders();
       for (int n = 0; n < static_cast<int>(s_.nodes.size()); ++n)
         if (s_.nodes[n].vertex < 0) check_event(n);
+      check_polygons();
       check_counts();
       check_overlaps();
       check_floors();
@@ -285,13 +287,13 @@ class verifier {
   }
   static std::array<plane_id, 2> others(const triple& planes, unsigned t) { return {planes[t == 0 ? 1 : 0], planes[t == 2 ? 1 : 2]}; }
 
-  // The polygon of an arc's sheet opposite its plane t, inside or outside that plane.
-  int polygon_at(const skeleton::arc& arc, unsigned t, bool inside) const {
+  // An arc's sheet opposite its plane t, inside or outside that plane, or -1.
+  int sheet_at(const skeleton::arc& arc, unsigned t, bool inside) const {
     std::size_t next = 0;
     for (unsigned r = 0; r < 3; ++r)
       for (const bool in : {false, true}) {
         if (bend_at(arc.corner, r, in) == bend::none) continue;
-        if (r == t && in == inside) return s_.sheets[arc.sheets[next]].polygon;
+        if (r == t && in == inside) return arc.sheets[next];
         ++next;
       }
     return -1;
@@ -339,7 +341,9 @@ class verifier {
     for (const function f : certificate::monotone_functions()) {
       if (!has_arcs(at, f)) continue;
       arcs_fit = true;
-      if (!has_sheets(at, f)) continue;
+      const auto joined = has_sheets(at, f);
+      if (!joined) continue;
+      joined_.insert(joined_.end(), joined->begin(), joined->end());
       demand(!certificate::makes_facet_from_nowhere(f, created), rule::nowhere, "node", n, "makes a facet out of nothing");
       const function other = f ^ function { 1 } << created;
       const bool ambiguous = certificate::is_monotone(other, 4) && !certificate::makes_facet_from_nowhere(other, created);
@@ -376,8 +380,15 @@ class verifier {
   }
 
   // In the plane of two facets four quadrants, by the sides of the two other planes, surround the node, each in a sheet or not. Where
-  // there is an arc between two quadrants, it names the sheets; where there is none, one sheet goes on.
-  bool has_sheets(const star& at, function f) const {
+  // there is an arc between two quadrants, it names the sheets; where there is none, one sheet goes on. Gives the sheets that are found to
+  // be one, or nothing where they are said not to be.
+  std::optional<std::vector<std::pair<int, int>>> has_sheets(const star& at, function f) const {
+    std::vector<std::pair<int, int>> joined;
+    const auto are_one = [&](int s, int t) {
+      if (s < 0 || t < 0) return true;
+      joined.emplace_back(s, t);
+      return s_.sheets[s].polygon == s_.sheets[t].polygon;
+    };
     for (unsigned i = 0; i < 4; ++i)
       for (unsigned j = i + 1; j < 4; ++j) {
         const unsigned k = i == 0 ? (j == 1 ? 2 : 1) : 0;
@@ -386,7 +397,7 @@ class verifier {
           bool in_k, in_l;
         };
         constexpr std::array<quadrant, 4> around = {{{true, true}, {false, true}, {false, false}, {true, false}}};
-        std::array<int, 4> polygon = {-1, -1, -1, -1};
+        std::array<int, 4> sheet = {-1, -1, -1, -1};
         std::array<bool, 4> open{};  // no arc between this quadrant and the next
         for (unsigned d = 0; d < 4; ++d) {
           const bool crosses_k = d % 2 == 0;  // the ray between lies on plane k and has one side of l, or the other way round
@@ -397,24 +408,24 @@ class verifier {
           if (a < 0) continue;
           const unsigned t = on < omitted ? on : on - 1;
           for (const unsigned e : {d, (d + 1) % 4}) {
-            const int named = polygon_at(s_.arcs[a], t, crosses_k ? around[e].in_k : around[e].in_l);
-            if (polygon[e] >= 0 && polygon[e] != named) return false;
-            polygon[e] = named;
+            const int named = sheet_at(s_.arcs[a], t, crosses_k ? around[e].in_k : around[e].in_l);
+            if (!are_one(sheet[e], named)) return std::nullopt;
+            sheet[e] = named;
           }
         }
         for (unsigned d = 0; d < 8; ++d) {  // twice around
           if (!open[d % 4]) continue;
-          int& here = polygon[d % 4];
-          int& next = polygon[(d + 1) % 4];
-          if (here >= 0 && next >= 0 && here != next) return false;
+          int& here = sheet[d % 4];
+          int& next = sheet[(d + 1) % 4];
+          if (!are_one(here, next)) return std::nullopt;
           here = next = std::max(here, next);
         }
         for (unsigned d = 0; d < 4; ++d) {
           const unsigned rest = (around[d].in_k ? 1U << k : 0U) | (around[d].in_l ? 1U << l : 0U);
-          if (certificate::edge_at(f, i, j, rest) == bend::none && polygon[d] >= 0) return false;
+          if (certificate::edge_at(f, i, j, rest) == bend::none && sheet[d] >= 0) return std::nullopt;
         }
       }
-    return true;
+    return joined;
   }
 
   // Thesis 3.9: vertices before and after, edges between two of them that vanish and appear, and whether an edge passes through.
@@ -460,6 +471,23 @@ class verifier {
           fits(r.passing, passing ? 1 : 0))
         return r.name;
     return other;
+  }
+
+  // Sheets are one polygon only where events, or edges of the solid that become one, join them.
+  void check_polygons() const {
+    std::vector<int> parent(s_.sheets.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&parent](int s) {
+      while (parent[s] != s) s = parent[s] = parent[parent[s]];
+      return s;
+    };
+    for (const auto& [s, t] : joined_) parent[root(s)] = root(t);
+    std::map<std::pair<int, int>, int> at_vertex;  // by polygon and vertex
+    for (int s = 0; s < static_cast<int>(s_.sheets.size()); ++s)
+      if (const int e = s_.sheets[s].input_edge; e >= 0)
+        for (const int v : solid_.edges[e].ends) parent[root(s)] = root(at_vertex.try_emplace({s_.sheets[s].polygon, v}, s).first->second);
+    for (int s = 0; s < static_cast<int>(s_.sheets.size()); ++s)
+      demand(root(s) == root(s_.sheets[s].polygon), rule::link, "sheet", s, "belongs to a polygon that it has no connection with");
   }
 
   void check_counts() const {
@@ -678,8 +706,33 @@ class verifier {
   const skeleton& s_;
   std::vector<meeting> when_;
   std::vector<bend> bend_;                   // by polygon
+  std::vector<std::pair<int, int>> joined_;  // sheets that events show to be one
   std::vector<signed char> height_of_node_;  // over the plane at hand
 };
+
+/// Compares a contracted skeleton with the contraction of a certified raw one. `k` is the kernel below the perturbation.
+template <kernel K>
+std::optional<refutation> verify_contraction(const K& k, const boundary& solid, const skeleton& raw, const contracted_skeleton& given) {
+  const contracted_skeleton right = contract(k, solid, raw);
+  const auto differs = [](const auto& x, const auto& y, const char* what, auto same) -> std::optional<refutation> {
+    for (std::size_t i = 0; i < std::max(x.size(), y.size()); ++i)
+      if (i >= x.size() || i >= y.size() || !same(x[i], y[i]))
+        return refutation{rule::contraction, std::string(what) + " " + std::to_string(i) + " is wrong"};
+    return std::nullopt;
+  };
+  using c = contracted_skeleton;
+  if (auto r = differs(right.nodes, given.nodes, "node", [](const c::node& x, const c::node& y) { return x.raw == y.raw && x.arcs == y.arcs; }))
+    return r;
+  if (auto r = differs(right.arcs, given.arcs, "arc", [](const c::arc& x, const c::arc& y) {
+        return x.source == y.source && x.target == y.target && x.cells == y.cells && x.sheets == y.sheets;
+      }))
+    return r;
+  if (auto r = differs(right.sheets, given.sheets, "sheet",
+                       [](const c::sheet& x, const c::sheet& y) { return x.facets == y.facets && x.raw == y.raw && x.arcs == y.arcs; }))
+    return r;
+  if (right.cells != given.cells) return refutation{rule::contraction, "the number of cells is wrong"};
+  return std::nullopt;
+}
 
 /// Certifies a raw skeleton of a solid, or refutes it. `k` is a perturbed kernel with the solid's planes.
 template <kernel K>
