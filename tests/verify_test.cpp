@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iostream>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -94,7 +96,7 @@ struct sample {
 const sample& bars() {
   static const sample one = [] {
     const auto& kinds = models::kinds();
-    const auto& kind = *std::find_if(kinds.begin(), kinds.end(), [](const auto& k) { return k.name == "spiked-plate"; });
+    const auto& kind = *std::find_if(kinds.begin(), kinds.end(), [](const auto& k) { return k.name == "crossing-bars"; });
     sample s{make_solid(kind.make(kind.default_size, 3).template take<integer>()), {}, {}};
     const auto k = default_kernel(s.of);
     s.raw = straight_skeleton(k, s.of.boundary);
@@ -335,6 +337,88 @@ TEST(Corrupted, SkeletonsAreRefutedByTheRightRule) {
     EXPECT_TRUE(!broken || !broken->witness.empty());
   }
   EXPECT_GE(names.size(), 50U);
+}
+
+TEST(Corrupted, ContractionsAreRefuted) {
+  const auto& b = bars();
+  const auto k = default_kernel(b.of);
+  const std::vector<std::function<void(contracted_skeleton&)>> changes = {[](auto& c) { c.nodes.pop_back(); },
+                                                                          [](auto& c) { c.nodes.back().raw.pop_back(); },
+                                                                          [](auto& c) { c.nodes.back().arcs.pop_back(); },
+                                                                          [](auto& c) { c.arcs.pop_back(); },
+                                                                          [](auto& c) { ++c.arcs[0].source; },
+                                                                          [](auto& c) { ++c.arcs[0].target; },
+                                                                          [](auto& c) { c.arcs[0].cells.pop_back(); },
+                                                                          [](auto& c) { c.arcs[0].sheets.pop_back(); },
+                                                                          [](auto& c) { c.sheets.pop_back(); },
+                                                                          [](auto& c) { ++c.sheets[0].facets[1]; },
+                                                                          [](auto& c) { c.sheets[0].raw.push_back(0); },
+                                                                          [](auto& c) { c.sheets[0].arcs.clear(); },
+                                                                          [](auto& c) { ++c.cells; }};
+  EXPECT_FALSE(verify_contraction(k.base(), b.of.boundary, b.raw, b.exact));
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    SCOPED_TRACE(i);
+    contracted_skeleton c = b.exact;
+    changes[i](c);
+    const auto broken = verify_contraction(k.base(), b.of.boundary, b.raw, c);
+    EXPECT_TRUE(broken && broken->broken == rule::contraction) << text_of(broken);
+  }
+}
+
+// A kernel that does not see one meeting: the wavefront runs through itself there.
+template <kernel K>
+class blind : public K {
+ public:
+  blind(K k, quadruple unseen) : K(std::move(k)), unseen_(unseen) {}
+  std::optional<typename K::meeting> meet(const quadruple& q) const { return ascending(q) == unseen_ ? std::nullopt : K::meet(q); }
+
+ private:
+  quadruple unseen_;
+};
+
+// Every event is missed once. Runs that end all the same must be refuted.
+TEST(Corrupted, MissedEventsDoNotPass) {
+  int missed = 0;
+  for (const char* name : {"crossing-bars", "spiked-plate", "house-x"}) {
+    const auto& kinds = models::kinds();
+    const auto& kind = *std::find_if(kinds.begin(), kinds.end(), [&](const auto& x) { return x.name == name; });
+    const auto s = make_solid(kind.make(kind.default_size, 1).template take<integer>());
+    const auto k = default_kernel(s);
+    for (const auto& node : straight_skeleton(k, s.boundary).nodes) {
+      if (node.vertex >= 0) continue;
+      ++missed;
+      try {
+        const skeleton wrong = straight_skeleton(blind(k, node.planes), s.boundary);
+        EXPECT_TRUE(verify(k, s.boundary, wrong)) << name << ", " << event_names[static_cast<std::size_t>(node.event)];
+      } catch (const invariant_error&) {  // the wavefront itself has noticed
+      }
+    }
+  }
+  EXPECT_GT(missed, 50);
+}
+
+// A column with a pit in its top. The skeleton of a high one has nothing wrong about any node of a low one: only the pit's tip and the floor
+// run through each other, and only sheets show it.
+solid<integer> column(long floor) {
+  const std::vector<std::array<long, 3>> points = {{0, 0, floor}, {20, 1, floor}, {21, 27, floor}, {-1, 25, floor}, {0, 0, 100},
+                                                   {20, 1, 100},  {21, 27, 100},  {-1, 25, 100},   {5, 6, 100},     {15, 6, 100},
+                                                   {15, 18, 100}, {5, 17, 100},   {10, 12, 90}};
+  mesh<integer> m;
+  for (const auto& p : points) m.points.push_back({exact_number<integer>{p[0], 0, 0}, {p[1], 0, 0}, {p[2], 0, 0}});
+  m.facets = {{3, 2, 1, 0},   {0, 1, 5, 4},  {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 9, 8}, {5, 6, 10, 9},
+              {6, 7, 11, 10}, {7, 4, 8, 11}, {8, 9, 12},   {9, 10, 12},  {10, 11, 12}, {11, 8, 12}};
+  return make_solid(m);
+}
+
+TEST(Corrupted, SheetsThatOverlapAreRefuted) {
+  const auto high = column(0);
+  const auto low = column(60);
+  const auto k = default_kernel(low);
+  const auto raw = straight_skeleton(default_kernel(high), high.boundary);
+  const auto broken = verify(k, low.boundary, raw);
+  EXPECT_TRUE(broken && broken->broken == rule::overlap) << text_of(broken);
+  EXPECT_EQ(certify(low, {}), "certified");
+  EXPECT_EQ(certify(high, {}), "certified");
 }
 
 }  // namespace
