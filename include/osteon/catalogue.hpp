@@ -214,7 +214,7 @@ constexpr event_class classify(const event& e, bool fill) {
 }
 
 /// All local events with all four planes involved, for all fifteen sign patterns of lambda, found by the key of
-/// their boundary. Generated once, by enumeration; about 2,000 entries.
+/// their boundary. Generated once, by enumeration; 1,257 entries.
 class catalogue {
  public:
   catalogue() {
