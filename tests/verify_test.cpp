@@ -177,6 +177,15 @@ std::vector<corruption> corruptions() {
       {"two nodes are one vertex", structure, [](skeleton& s) { s.nodes[1].vertex = s.nodes[0].vertex; }},
       {"an event says that it is a vertex", structure, [=](skeleton& s) { node(s).vertex = 0; }},
       {"a vertex has no node", structure, [](skeleton& s) { s.nodes[0].vertex = -1; }},
+      {"a vertex has a fourth plane", structure, [](skeleton& s) { s.nodes[0].planes[3] = 1 << 20; }},
+      {"a vertex repeats a plane", structure, [](skeleton& s) { s.nodes[0].planes[1] = s.nodes[0].planes[0]; }},
+      {"a vertex names a plane that is elsewhere", incidence,
+       [](skeleton& s) {
+         const auto& facets = bars().of.boundary.vertices[0].facets;
+         auto& planes = s.nodes[0].planes;
+         for (plane_id p = 0; p < bars().of.boundary.planes; ++p)
+           if (p > planes[1] && std::find(facets.begin(), facets.end(), p) == facets.end()) planes[2] = p;
+       }},
       {"an arc's source is not there", structure, [=](skeleton& s) { arc(s).source = 1 << 30; }},
       {"an arc has no target", structure, [=](skeleton& s) { arc(s).target = -1; }},
       {"an arc repeats a plane", structure, [=](skeleton& s) { arc(s).planes[1] = arc(s).planes[0]; }},

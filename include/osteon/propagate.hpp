@@ -44,7 +44,7 @@ template <kernel K>
 class propagation {
  public:
   propagation(const K& k, const boundary& solid, const options& o)
-      : k_(k), solid_(solid), options_(o), front_(solid.planes), now_(k.start()), queue_(later{&k}) {}
+      : k_(k), solid_(solid), input_edges_(solid.edges.size()), options_(o), front_(solid.planes), now_(k.start()), queue_(later{&k}) {}
 
   /// Runs to the end. Throws degenerate_error, unsupported_error, undecided_error or invariant_error. A candidate costs one
   /// meeting; vertices look for contacts at all planes within the lifetime of their edges.
@@ -131,7 +131,12 @@ class propagation {
       std::vector<flood> floods;
       for (const bool calm : {true, false})
         for (int most = 1; most <= most_floods && floods.empty(); ++most) floods = find_floods(solid_, v, most, calm);
-      if (floods.empty()) broken_invariant<K>("a vertex of degree " + std::to_string(solid_.vertices[v].facets.size()) + " has a valid split");
+      if (floods.empty()) {  // or they chase each other along an edge for ever
+        const auto& f = solid_.vertices[v].facets;
+        throw unsupported_error("not yet: the vertex of planes " + std::to_string(f[0]) + ", " + std::to_string(f[1]) + " and " +
+                                std::to_string(f[2]) +
+                                " cannot be split, because a third facet contains the line of one of its edges; cure: move that facet a little");
+      }
       waiting.push_back(v);
       for (const flood& f : floods) {
         const int e = solid_.vertices[v].edges[f.side];
@@ -166,6 +171,7 @@ class propagation {
   // The preferred tree of a vertex, empty where it needs none; nothing where it has none.
   std::optional<split_tree> split(const boundary& b, int v) const {
     if (b.vertices[v].facets.size() == 3 || b.vertices[v].is_majority()) return split_tree{};
+    if (b.vertices[v].facets.size() > greatest_split_degree && b.edges.size() > input_edges_) return std::nullopt;  // by floods
     return splitter<K>(k_, corner_at(b, b.vertices[v])).best(options_.prefer);
   }
 
@@ -605,6 +611,7 @@ class propagation {
 
   const K& k_;
   boundary solid_;           // floods change it
+  std::size_t input_edges_;  // before them
   std::vector<int> origin_;  // by edge: the input's edge that it was
   options options_;
   wavefront front_;

@@ -176,6 +176,9 @@ class verifier {
       demand(valid(solid_.vertices, node.vertex) && !seen[node.vertex], rule::structure, "node", n,
              "is no vertex of the solid, or one for the second time");
       seen[node.vertex] = true;
+      for (int r = 0; r < 3; ++r)
+        demand(plane(node.planes[r]) && (r == 0 || node.planes[r - 1] < node.planes[r]), rule::structure, "node", n, "needs three planes, ascending");
+      demand(node.planes[3] == -1, rule::structure, "node", n, "has a fourth plane at a vertex");
     }
     demand(std::find(seen.begin(), seen.end(), false) == seen.end(), rule::structure, "vertex",
            static_cast<int>(std::find(seen.begin(), seen.end(), false) - seen.begin()), "has no node");
@@ -251,6 +254,9 @@ class verifier {
       std::sort(y.begin(), y.end());
       return x == y;
     };
+    for (int n = 0; n < static_cast<int>(s_.nodes.size()); ++n)
+      for (int r = 0; r < 3 && s_.nodes[n].vertex >= 0; ++r)
+        demand(passes(n, s_.nodes[n].planes[r]), rule::incidence, "node", n, "names a plane that does not pass through its vertex");
     for (int n = 0; n < static_cast<int>(s_.nodes.size()); ++n)
       demand(same(of_node[n], s_.nodes[n].arcs), rule::incidence, "node", n, "does not list the arcs that end in it");
     std::vector<std::vector<int>> of_cell(s_.cells.size());

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# campaign.sh BUILD TARGET [SECONDS]: fuzzes one target from its committed inputs; new inputs go to BUILD/fuzz/found-TARGET, failures to
+# BUILD/fuzz/failed-TARGET. campaign.sh --keep BUILD TARGET merges what was found into the committed seeds.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+keep=false
+if [ "${1:-}" = --keep ]; then
+  keep=true
+  shift
+fi
+build=$(cd "$1" && pwd)
+target=$2
+found="$build/fuzz/found-$target"
+failed="$build/fuzz/failed-$target"
+mkdir -p "$found" "$failed" "$here/corpus/$target"
+limits=(-entropic=0 -max_len="$("$here/max_len" "$target")" -timeout=10 -rss_limit_mb=2048)
+seeds=("$here/corpus/$target")
+[ -d "$here/regressions/$target" ] && seeds+=("$here/regressions/$target")
+[ "$target" = obj ] && seeds+=("$here/../tests/bad_input" "$here/../tests/models")
+[ -f "$here/$target.dict" ] && limits+=(-dict="$here/$target.dict")
+if $keep; then
+  # By edges alone, without how often: few files.
+  exec "$build/fuzz/fuzz_$target" "${limits[@]}" -merge=1 -use_counters=0 "$here/corpus/$target" "$found"
+fi
+export OSTEON_FUZZ_TALLY=1
+export ASAN_OPTIONS="malloc_context_size=2:quarantine_size_mb=32:${ASAN_OPTIONS:-}"  # three times as fast; a replay has long traces
+exec nice -n 10 "$build/fuzz/fuzz_$target" "${limits[@]}" -len_control=0 -max_total_time="${3:-1200}" -print_final_stats=1 -artifact_prefix="$failed/" \
+  "$found" "${seeds[@]}"

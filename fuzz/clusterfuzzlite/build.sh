@@ -1,0 +1,2 @@
+#!/bin/bash -eu
+exec bash "$SRC/osteon/fuzz/build.sh"
