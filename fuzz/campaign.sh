@@ -19,8 +19,8 @@ seeds=("$here/corpus/$target")
 [ "$target" = obj ] && seeds+=("$here/../tests/bad_input" "$here/../tests/models")
 [ -f "$here/$target.dict" ] && limits+=(-dict="$here/$target.dict")
 if $keep; then
-  # By edges alone, without how often: few files.
-  exec "$build/fuzz/fuzz_$target" "${limits[@]}" -merge=1 -use_counters=0 "$here/corpus/$target" "$found"
+  # The fewest files that reach the same edges.
+  exec "$build/fuzz/fuzz_$target" "${limits[@]}" -set_cover_merge=1 -use_counters=0 -use_cmp=0 "$here/corpus/$target" "$found"
 fi
 export OSTEON_FUZZ_TALLY=1
 export ASAN_OPTIONS="malloc_context_size=2:quarantine_size_mb=32:${ASAN_OPTIONS:-}"  # three times as fast; a replay has long traces
