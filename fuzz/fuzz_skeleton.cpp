@@ -111,6 +111,18 @@ void check_volumes(const solid<integer>& s, const skeleton& raw, const models::v
   }
 }
 
+// Whether a third facet of some vertex contains the line of one of its edges: then, and only then, facets may flood edges for ever.
+bool may_flood(const solid<integer>& s) {
+  for (const auto& v : s.boundary.vertices)
+    for (const int e : v.edges) {
+      const auto& [p, q] = s.boundary.edges[static_cast<std::size_t>(e)].planes;
+      const auto line = cross(s.planes[p].n, s.planes[q].n);
+      for (const plane_id r : v.facets)
+        if (r != p && r != q && dot(s.planes[r].n, line) == 0) return true;
+    }
+  return false;
+}
+
 template <kernel K>
 skeleton certified(const K& k, const solid<integer>& s, const options& o) {
   skeleton raw = straight_skeleton(k, s.boundary, o);
@@ -126,6 +138,31 @@ void require_same(const skeleton& x, const skeleton& y) {
   for (std::size_t i = 0; i < x.nodes.size(); ++i)
     require(x.nodes[i].planes == y.nodes[i].planes && x.nodes[i].event == y.nodes[i].event && x.nodes[i].arcs == y.nodes[i].arcs,
             "a filter changes no node");
+}
+
+skeleton compute(const solid<integer>& s, const options& o, unsigned kernels) {
+  const std::span<const moving_plane<integer>> planes(s.planes);
+  switch (kernels) {
+    case 1:
+      return certified(perturbed(filtered(planes, make_rational_kernel(planes))), s, o);
+    case 2:
+      return certified(perturbed(filtered(planes, make_sqrt_kernel(planes)), true), s, o);
+    case 3: {
+      const skeleton raw = certified(perturbed(filtered(planes, make_sqrt_kernel(planes))), s, o);
+      if (s.boundary.edges.size() <= 40) require_same(raw, straight_skeleton(perturbed(make_sqrt_kernel(planes)), s.boundary, o));
+      return raw;
+    }
+    case 4:
+      try {
+        straight_skeleton(make_double_kernel(planes), s.boundary, o);
+      } catch (const undecided_error&) {
+      } catch (const unsupported_error&) {
+      }
+      break;
+    default:
+      break;
+  }
+  return certified(perturbed(filtered(planes, make_sqrt_kernel(planes))), s, o);
 }
 
 void run(decoder d) {
@@ -154,30 +191,15 @@ void run(decoder d) {
     return;
   }
 
-  const std::span<const moving_plane<integer>> planes(s->planes);
   skeleton raw;
-  switch (plan >> 4U & 7U) {
-    case 1:
-      raw = certified(perturbed(filtered(planes, make_rational_kernel(planes))), *s, o);
-      break;
-    case 2:
-      raw = certified(perturbed(filtered(planes, make_sqrt_kernel(planes)), true), *s, o);
-      break;
-    case 3: {
-      const perturbed k(filtered(planes, make_sqrt_kernel(planes)));
-      raw = certified(k, *s, o);
-      if (s->boundary.edges.size() <= 40) require_same(raw, straight_skeleton(perturbed(make_sqrt_kernel(planes)), s->boundary, o));
-      break;
-    }
-    case 4:
-      try {
-        straight_skeleton(make_double_kernel(planes), s->boundary, o);
-      } catch (const undecided_error&) {
-      } catch (const unsupported_error&) {
-      }
-      [[fallthrough]];
-    default:
-      raw = certified(perturbed(filtered(planes, make_sqrt_kernel(planes))), *s, o);
+  try {
+    raw = compute(*s, o, plan >> 4U & 7U);
+  } catch (const degenerate_error&) {
+    throw;
+  } catch (const unsupported_error&) {
+    require(may_flood(*s), "a vertex of low degree is split, or flooded");
+    tally::add("refused: floods without end");
+    return;
   }
   const bool greatest = o.prefer == split_preference::convex && o.saddle == saddle_rule::convex;
   check_volumes(*s, raw, shape.voxels && greatest ? &*shape.voxels : nullptr);

@@ -5,6 +5,7 @@
 #include <CGAL/Nef_polyhedron_3.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -77,6 +78,18 @@ TEST(Nested, ShakenVoxels) {
     check(try_skeleton(shaken(v.surface(), 10'000, 1500, stream)), 3, c);
   }
   print("shaken voxels", c);
+  EXPECT_GT(c.solids, solids / 2);
+}
+
+TEST(Nested, ShakenSpikedPlates) {
+  census c;
+  const int solids = effort(5, 100);
+  for (int i = 0; i < solids && !HasFailure(); ++i) {
+    SCOPED_TRACE("solid " + std::to_string(i) + ", OSTEON_ORACLE_SEED=" + std::to_string(seed()));
+    const auto stream = seed() + static_cast<std::uint64_t>(i);
+    check(try_skeleton(shaken(models::spiked_plate(1), 1000, 600, stream)), 3, c);
+  }
+  print("spiked plates", c);
   EXPECT_GT(c.solids, solids / 2);
 }
 

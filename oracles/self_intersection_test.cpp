@@ -79,7 +79,7 @@ const options other_choice = {split_preference::reflex, saddle_rule::reflex};
 
 TEST(SelfIntersection, Balls) {
   census c;
-  const int solids = effort(12, 1000);
+  const int solids = effort(12, 300);
   for (int i = 0; i < solids && !HasFatalFailure(); ++i) {
     SCOPED_TRACE("solid " + std::to_string(i) + ", OSTEON_ORACLE_SEED=" + std::to_string(seed()));
     check(try_skeleton(ball(10 + i % 31, 60, seed() + static_cast<std::uint64_t>(i)).take<integer>(), i % 2 == 0 ? options{} : other_choice), 5, c);
@@ -91,7 +91,7 @@ TEST(SelfIntersection, Balls) {
 
 TEST(SelfIntersection, ShakenVoxels) {
   census c;
-  const int solids = effort(12, 1000);
+  const int solids = effort(12, 300);
   for (int i = 0; i < solids && !HasFatalFailure(); ++i) {
     SCOPED_TRACE("solid " + std::to_string(i) + ", OSTEON_ORACLE_SEED=" + std::to_string(seed()));
     const auto stream = seed() + static_cast<std::uint64_t>(i);
@@ -105,7 +105,7 @@ TEST(SelfIntersection, ShakenVoxels) {
 
 TEST(SelfIntersection, ShakenModels) {
   census c;
-  const int rounds = effort(1, 20);
+  const int rounds = effort(1, 10);
   for (int i = 0; i < rounds && !HasFatalFailure(); ++i)
     for (const auto& kind : models::kinds()) {
       SCOPED_TRACE(kind.name + ", round " + std::to_string(i) + ", OSTEON_ORACLE_SEED=" + std::to_string(seed()));

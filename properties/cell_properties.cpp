@@ -141,17 +141,19 @@ std::string meets_lines_once(const placed_skeleton& s, const std::vector<std::ar
 // A cell of an unweighted skeleton meets every line perpendicular to its facet in one interval (thesis 2.4; design 05).
 RC_GTEST_PROP(cells, are_monotone, ()) {
   const auto s = *gen::unweighted();
+  const auto o = *gen::any_options();
   const auto samples = *rc::gen::container<std::vector<std::array<int, 4>>>(
       20, rc::gen::map(rc::gen::container<std::array<long, 4>>(gen::between(1, 100)), [](const std::array<long, 4>& x) {
         return std::array<int, 4>{static_cast<int>(x[0]), static_cast<int>(x[1]), static_cast<int>(x[2]), static_cast<int>(x[3])};
       }));
-  for_every_kernel(s, [&](const placed_skeleton& p) { return meets_lines_once(p, samples); });
+  for_every_kernel(
+      s, [&](const placed_skeleton& p) { return meets_lines_once(p, samples); }, o);
 }
 
 // The volumes of the cells, each measured over its own floor, add up to the solid's. Weighted or not.
 RC_GTEST_PROP(cells, volumes_add_up, ()) {
   const auto s = *rc::gen::oneOf(gen::unweighted(), gen::unweighted(), gen::weighted(gen::convex()), gen::weighted(gen::stars()));
-  for_every_kernel(s, volumes_add_up);
+  for_every_kernel(s, volumes_add_up, *gen::any_options());
 }
 
 }  // namespace

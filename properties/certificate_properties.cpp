@@ -27,7 +27,7 @@ void certify(const char* name, const K& k, const solid<integer>& s, const option
 }
 
 RC_GTEST_PROP(certificate, every_skeleton_is_certified, ()) {
-  const options o{static_cast<split_preference>(*gen::between(0, 3)), static_cast<saddle_rule>(*gen::between(0, 3))};
+  const options o = *gen::any_options();
   const auto s = *rc::gen::oneOf(gen::unweighted(), gen::unweighted(), gen::unweighted(), gen::unweighted(), gen::weighted(gen::convex()),
                                  gen::weighted(gen::stars()));
   RC_TAG(s.kind);

@@ -262,22 +262,23 @@ std::string surfaces_are_even(const placed_skeleton& s) {
   return "";
 }
 
-RC_GTEST_PROP(complex, incidences_agree, ()) { for_every_kernel(*gen::unweighted(), incidences); }
+RC_GTEST_PROP(complex, incidences_agree, ()) { for_every_kernel(*gen::unweighted(), incidences, *gen::any_options()); }
 
-RC_GTEST_PROP(complex, sheets_are_cycles, ()) { for_every_kernel(*gen::unweighted(), sheets_are_cycles); }
+RC_GTEST_PROP(complex, sheets_are_cycles, ()) { for_every_kernel(*gen::unweighted(), sheets_are_cycles, *gen::any_options()); }
 
-RC_GTEST_PROP(complex, cells_are_closed_and_oriented, ()) { for_every_kernel(*gen::unweighted(), cells_are_closed); }
+RC_GTEST_PROP(complex, cells_are_closed_and_oriented, ()) { for_every_kernel(*gen::unweighted(), cells_are_closed, *gen::any_options()); }
 
-RC_GTEST_PROP(complex, events_are_in_the_catalogue, ()) { for_every_kernel(*gen::unweighted(), events_are_in_the_catalogue); }
+RC_GTEST_PROP(complex, events_are_in_the_catalogue, ()) { for_every_kernel(*gen::unweighted(), events_are_in_the_catalogue, *gen::any_options()); }
 
-RC_GTEST_PROP(complex, counts_add_up, ()) { for_every_kernel(*gen::unweighted(), counts_add_up); }
+RC_GTEST_PROP(complex, counts_add_up, ()) { for_every_kernel(*gen::unweighted(), counts_add_up, *gen::any_options()); }
 
 RC_GTEST_PROP(complex, events_use_up_the_characteristic, ()) {
   const auto s = *gen::unweighted();
-  for_every_kernel(s, [&](const placed_skeleton& p) { return characteristic_is_used_up(p, s.input); });
+  for_every_kernel(
+      s, [&](const placed_skeleton& p) { return characteristic_is_used_up(p, s.input); }, *gen::any_options());
 }
 
-RC_GTEST_PROP(complex, surfaces_have_even_characteristic, ()) { for_every_kernel(*gen::unweighted(), surfaces_are_even); }
+RC_GTEST_PROP(complex, surfaces_have_even_characteristic, ()) { for_every_kernel(*gen::unweighted(), surfaces_are_even, *gen::any_options()); }
 
 // Convex: every cell is a ball with disks for faces, and the cells fill a ball.
 RC_GTEST_PROP(complex, convex_cells_are_balls, ()) {

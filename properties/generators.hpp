@@ -26,6 +26,15 @@
 #include "polytope.hpp"
 #include "run.hpp"
 
+namespace osteon {
+
+/// Numbers of the enumerators.
+inline void showValue(const options& o, std::ostream& out) {
+  out << "prefer " << static_cast<int>(o.prefer) << ", saddle " << static_cast<int>(o.saddle);
+}
+
+}  // namespace osteon
+
 namespace osteon::properties {
 
 /// A generated solid: the mesh as it would come from a file, and what make_solid makes of it (null where it refuses).
@@ -98,6 +107,13 @@ rc::Gen<std::vector<T>> list(std::size_t least, std::size_t most, const rc::Gen<
     auto [first, second] = std::move(both);
     first.insert(first.end(), second.begin(), second.end());
     return first;
+  });
+}
+
+/// Any preference and any saddle rule.
+inline rc::Gen<options> any_options() {
+  return rc::gen::map(rc::gen::pair(between(0, 3), between(0, 3)), [](const std::pair<long, long>& o) {
+    return options{static_cast<split_preference>(o.first), static_cast<saddle_rule>(o.second)};
   });
 }
 

@@ -11,8 +11,6 @@
 namespace osteon::properties {
 namespace {
 
-options some_options(long a, long b) { return {static_cast<split_preference>(a), static_cast<saddle_rule>(b)}; }
-
 void require_same(const run& a, const run& b) {
   require(a.kernel + " and " + b.kernel, [&] { return difference(a.raw, b.raw); });
 }
@@ -20,13 +18,13 @@ void require_same(const run& a, const run& b) {
 RC_GTEST_PROP(kernels, a_filter_changes_nothing, ()) {
   const auto s = *rc::gen::oneOf(gen::unweighted(), gen::weighted(gen::stars()));
   RC_TAG(s.kind);
-  const auto runs = run_all(*s.solid, some_options(*gen::between(0, 3), *gen::between(0, 3)));
+  const auto runs = run_all(*s.solid, *gen::any_options());
   require_same(runs[0], runs[1]);
   require_same(runs[2], runs[3]);
 }
 
 RC_GTEST_PROP(kernels, agree_in_general_position, ()) {
-  const auto o = some_options(*gen::between(0, 3), *gen::between(0, 3));
+  const auto o = *gen::any_options();
   const auto s = *gen::unweighted_general(o);
   RC_TAG(s.kind);
   const auto runs = run_all(*s.solid, o);

@@ -52,15 +52,19 @@ std::string does_not_intersect_itself(const placed_skeleton& s, const rational& 
 }
 
 RC_GTEST_PROP(offsets, do_not_intersect_themselves, ()) {
-  const auto s = *gen::unweighted_general();
+  const auto o = *gen::any_options();
+  const auto s = *gen::unweighted_general(o);
   const auto times = *choices(4);
-  for_every_kernel(s, [&](const placed_skeleton& p) -> std::string {
-    const auto moments = p.moments();
-    for (const long c : times)
-      if (auto broken = does_not_intersect_itself(p, time_in(moments, c)); !broken.empty()) return broken;
-    // Just after the start: the splits. Just after the first events.
-    return does_not_intersect_itself(p, simple_between(moments[0], moments[1]));
-  });
+  for_every_kernel(
+      s,
+      [&](const placed_skeleton& p) -> std::string {
+        const auto moments = p.moments();
+        for (const long c : times)
+          if (auto broken = does_not_intersect_itself(p, time_in(moments, c)); !broken.empty()) return broken;
+        // Just after the start: the splits. Just after the first events.
+        return does_not_intersect_itself(p, simple_between(moments[0], moments[1]));
+      },
+      o);
 }
 
 // ---- nested
@@ -82,18 +86,22 @@ std::string lies_inside(const placed_skeleton& s, const rational& early, const r
 }
 
 RC_GTEST_PROP(offsets, are_nested, ()) {
-  const auto s = *gen::unweighted_general();
+  const auto o = *gen::any_options();
+  const auto s = *gen::unweighted_general(o);
   const auto times = *choices(3);
-  for_every_kernel(s, [&](const placed_skeleton& p) -> std::string {
-    const auto moments = p.moments();
-    std::vector<rational> t;
-    for (const long c : times) t.push_back(time_in(moments, c));
-    std::sort(t.begin(), t.end());
-    for (std::size_t i = 1; i < t.size(); ++i)
-      if (t[i - 1] != t[i])
-        if (auto broken = lies_inside(p, t[i - 1], t[i]); !broken.empty()) return broken;
-    return "";
-  });
+  for_every_kernel(
+      s,
+      [&](const placed_skeleton& p) -> std::string {
+        const auto moments = p.moments();
+        std::vector<rational> t;
+        for (const long c : times) t.push_back(time_in(moments, c));
+        std::sort(t.begin(), t.end());
+        for (std::size_t i = 1; i < t.size(); ++i)
+          if (t[i - 1] != t[i])
+            if (auto broken = lies_inside(p, t[i - 1], t[i]); !broken.empty()) return broken;
+        return "";
+      },
+      o);
 }
 
 // ---- volume and area
@@ -170,9 +178,11 @@ std::string volume_shrinks_by_the_area(const placed_skeleton& s, const choice& w
 RC_GTEST_PROP(offsets, volume_shrinks_by_the_weighted_area, ()) {
   const auto s = *rc::gen::oneOf(gen::unweighted(), gen::unweighted(), gen::weighted(gen::convex()), gen::weighted(gen::stars()));
   const auto where = *choices(5);
-  const bool generic = in_general_position(*s.solid);
+  const auto o = *gen::any_options();
+  const bool generic = in_general_position(*s.solid, o);
   RC_CLASSIFY(generic, "general position");
-  for_every_kernel(s, [&](const placed_skeleton& p) { return volume_shrinks_by_the_area(p, where, generic); });
+  for_every_kernel(
+      s, [&](const placed_skeleton& p) { return volume_shrinks_by_the_area(p, where, generic); }, o);
 }
 
 }  // namespace

@@ -141,9 +141,10 @@ std::string retraces(const solid<integer>& original, const run& forward, long ch
 }
 
 RC_GTEST_PROP(reversal, retraces_the_way_to_the_start, ()) {
-  const auto s = *gen::general(rc::gen::oneOf(gen::stars(8), gen::stars(), gen::cones(), gen::landscapes(), gen::rings(), gen::hollow_stars()));
+  const auto o = *gen::any_options();
+  const auto s = *gen::general(rc::gen::oneOf(gen::stars(8), gen::stars(), gen::cones(), gen::landscapes(), gen::rings(), gen::hollow_stars()), o);
   const long choice = *gen::between(0, 99);
-  const auto forward = run_rational(s.solid->planes, s.solid->boundary);
+  const auto forward = run_rational(s.solid->planes, s.solid->boundary, o);
   long compared = 0;
   for (std::size_t k = 0; k < forward.size(); ++k) require(forward[k].kernel, [&] { return retraces(*s.solid, forward[k], choice, k, compared); });
   RC_TAG(compared == 0 ? "no event compared" : compared < 6 ? "1 or 2 events compared" : "3 or more events compared");

@@ -178,7 +178,7 @@ std::vector<corruption> corruptions() {
       {"an event says that it is a vertex", structure, [=](skeleton& s) { node(s).vertex = 0; }},
       {"a vertex has no node", structure, [](skeleton& s) { s.nodes[0].vertex = -1; }},
       {"a vertex has a fourth plane", structure, [](skeleton& s) { s.nodes[0].planes[3] = 1 << 20; }},
-      {"a vertex repeats a plane", structure, [](skeleton& s) { s.nodes[0].planes[1] = s.nodes[0].planes[0]; }},
+      {"a vertex's planes descend", structure, [](skeleton& s) { std::swap(s.nodes[0].planes[0], s.nodes[0].planes[1]); }},
       {"a vertex names a plane that is elsewhere", incidence,
        [](skeleton& s) {
          const auto& facets = bars().of.boundary.vertices[0].facets;

@@ -177,7 +177,8 @@ class verifier {
              "is no vertex of the solid, or one for the second time");
       seen[node.vertex] = true;
       for (int r = 0; r < 3; ++r)
-        demand(plane(node.planes[r]) && (r == 0 || node.planes[r - 1] < node.planes[r]), rule::structure, "node", n, "needs three planes, ascending");
+        demand(plane(node.planes[r]) && (r == 0 || node.planes[r - 1] <= node.planes[r]), rule::structure, "node", n,
+               "needs three planes, ascending");
       demand(node.planes[3] == -1, rule::structure, "node", n, "has a fourth plane at a vertex");
     }
     demand(std::find(seen.begin(), seen.end(), false) == seen.end(), rule::structure, "vertex",
