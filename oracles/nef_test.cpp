@@ -5,6 +5,8 @@
 #include <CGAL/Nef_polyhedron_3.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <iostream>
 #include <optional>
@@ -24,6 +26,7 @@ struct census {
   int solids = 0;
   int skipped = 0;
   int pairs = 0;
+  std::size_t most_triangles = 0;
 };
 
 void check(const std::optional<skeletal_solid>& s, int times, census& c) {
@@ -41,6 +44,7 @@ void check(const std::optional<skeletal_solid>& s, int times, census& c) {
     SCOPED_TRACE("at time " + t.str());
     const auto surface = to_cgal(cutter.at(t), s->body.planes);
     ASSERT_TRUE(surface) << "not a closed surface";
+    c.most_triangles = std::max<std::size_t>(c.most_triangles, surface->number_of_faces());
     const nef later(*surface);
     ASSERT_FALSE(later.is_empty());
     ASSERT_TRUE(later.is_bounded());
@@ -54,7 +58,8 @@ void check(const std::optional<skeletal_solid>& s, int times, census& c) {
 }
 
 void print(const char* what, const census& c) {
-  std::cout << what << ", seed " << seed() << ": " << c.solids << " solids (" << c.skipped << " skipped), " << c.pairs << " pairs\n";
+  std::cout << what << ", seed " << seed() << ": " << c.solids << " solids (" << c.skipped << " skipped), " << c.pairs << " pairs, "
+            << c.most_triangles << " triangles at most\n";
 }
 
 TEST(Nested, Balls) {

@@ -61,24 +61,35 @@ inline models::builder surface(const std::vector<models::point>& points, const t
 }
 
 /// Points in random directions, joined like the convex hull of the directions, each at its own distance from the origin: up to
-/// `depth` percent nearer than the others. The solid can be seen from the origin.
+/// `depth` percent nearer than the others. The origin sees every facet from inside, so the surface cannot pass through itself; draws that leave
+/// the origin outside (one in eleven with ten points) are repeated.
 inline models::builder ball(int points, int depth, std::uint64_t seed) {
   models::dice roll(seed);
-  std::vector<std::array<double, 3>> directions;
-  std::vector<models::point> corners;
-  while (static_cast<int>(directions.size()) < points) {
-    const std::array<long, 3> r = {roll.between(-10'000, 10'000), roll.between(-10'000, 10'000), roll.between(-10'000, 10'000)};
-    const double length = std::sqrt(static_cast<double>(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]));
-    if (length < 1000 || length > 10'000) continue;
-    const double distance = 1000.0 * static_cast<double>(100 - roll.between(0, depth));
-    auto& direction = directions.emplace_back();
-    auto& corner = corners.emplace_back();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      direction[axis] = static_cast<double>(r[axis]) / length;
-      corner[axis] = std::lround(distance * direction[axis]);
+  for (;;) {
+    std::vector<std::array<double, 3>> directions;
+    std::vector<models::point> corners;
+    while (static_cast<int>(directions.size()) < points) {
+      const std::array<long, 3> r = {roll.between(-10'000, 10'000), roll.between(-10'000, 10'000), roll.between(-10'000, 10'000)};
+      const double length = std::sqrt(static_cast<double>(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]));
+      if (length < 1000 || length > 10'000) continue;
+      const double distance = 1000.0 * static_cast<double>(100 - roll.between(0, depth));
+      auto& direction = directions.emplace_back();
+      auto& corner = corners.emplace_back();
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        direction[axis] = static_cast<double>(r[axis]) / length;
+        corner[axis] = std::lround(distance * direction[axis]);
+      }
     }
+    const auto facets = hull_facets(directions);
+    // Coordinates are below 2^17, so these determinants fit.
+    const auto seen = [&corners](const std::array<std::size_t, 3>& f) {
+      const auto& p = corners[f[0]];
+      const auto& q = corners[f[1]];
+      const auto& r = corners[f[2]];
+      return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]) > 0;
+    };
+    if (std::all_of(facets.begin(), facets.end(), seen)) return surface(corners, facets);
   }
-  return surface(corners, hull_facets(directions));
 }
 
 /// The convex hull of random points in a cube.

@@ -131,8 +131,11 @@ class propagation {
       std::vector<flood> floods;
       for (const bool calm : {true, false})
         for (int most = 1; most <= most_floods && floods.empty(); ++most) floods = find_floods(solid_, v, most, calm);
-      if (floods.empty()) {  // or they chase each other along an edge for ever
+      if (floods.empty()) {
         const auto& f = solid_.vertices[v].facets;
+        if (solid_.edges.size() == input_edges_ && floods_at(k_, solid_, v).empty())
+          broken_invariant<K>("a vertex of degree " + std::to_string(f.size()) + " has a valid split");
+        // Floods chase each other along an edge for ever.
         throw unsupported_error("not yet: the vertex of planes " + std::to_string(f[0]) + ", " + std::to_string(f[1]) + " and " +
                                 std::to_string(f[2]) +
                                 " cannot be split, because a third facet contains the line of one of its edges; cure: move that facet a little");
