@@ -165,6 +165,9 @@ struct skeleton_command {
       if (const auto broken = certify(s, kernel, result, both.exact))
         throw invariant_error(
             fmt::format("the certificate is refuted: {}: {}", rule_names[static_cast<std::size_t>(broken->broken)], broken->witness));
+    if (result.unproven_splits > 0)
+      fmt::print(stderr, "osteon: note: vertices of high degree whose split is valid but perhaps not the preferred one: {}\n",
+                 result.unproven_splits);
     const provenance by = {kernel, prefer, name_of(o.saddle)};
     if (!output.empty()) write_file(output, skeleton_document(s, result, both.exact, by).dump() + "\n");
     if (summary) {

@@ -18,8 +18,8 @@
 #include "osteon/error.hpp"
 #include "osteon/flood.hpp"
 #include "osteon/kernel.hpp"
+#include "osteon/preferred_split.hpp"
 #include "osteon/skeleton.hpp"
-#include "osteon/split.hpp"
 #include "osteon/wavefront.hpp"
 
 namespace osteon {
@@ -44,7 +44,7 @@ template <kernel K>
 class propagation {
  public:
   propagation(const K& k, const boundary& solid, const options& o)
-      : k_(k), solid_(solid), input_edges_(solid.edges.size()), options_(o), front_(solid.planes), now_(k.start()), queue_(later{&k}) {}
+      : k_(k), solid_(solid), options_(o), front_(solid.planes), now_(k.start()), queue_(later{&k}) {}
 
   /// Runs to the end. Throws degenerate_error, unsupported_error, undecided_error or invariant_error. A candidate costs one
   /// meeting; vertices look for contacts at all planes within the lifetime of their edges.
@@ -116,16 +116,19 @@ class propagation {
 
   // The preferred tree of every vertex, after floods where there is none without.
   std::vector<split_tree> split_vertices() {
+    for (const auto& v : solid_.vertices) input_degrees_.push_back(v.facets.size());
     origin_.resize(solid_.edges.size());
     std::iota(origin_.begin(), origin_.end(), 0);
     std::vector<split_tree> trees(solid_.vertices.size());
+    std::vector<bool> unproven(solid_.vertices.size());
     std::vector<int> waiting(solid_.vertices.size());
     std::iota(waiting.begin(), waiting.end(), 0);
     while (!waiting.empty()) {
       const int v = waiting.back();
       waiting.pop_back();
       if (auto tree = split(solid_, v)) {
-        trees[v] = std::move(*tree);
+        trees[v] = std::move(tree->tree);
+        unproven[v] = !tree->proven;
         continue;
       }
       std::vector<flood> floods;
@@ -133,7 +136,7 @@ class propagation {
         for (int most = 1; most <= most_floods && floods.empty(); ++most) floods = find_floods(solid_, v, most, calm);
       if (floods.empty()) {
         const auto& f = solid_.vertices[v].facets;
-        if (solid_.edges.size() == input_edges_ && floods_at(k_, solid_, v).empty())
+        if (f.size() == input_degrees_[v] && floods_at(k_, solid_, v).empty())
           broken_invariant<K>("a vertex of degree " + std::to_string(f.size()) + " has a valid split");
         // Floods chase each other along an edge for ever.
         throw unsupported_error("not yet: the vertex of planes " + std::to_string(f[0]) + ", " + std::to_string(f[1]) + " and " +
@@ -148,6 +151,7 @@ class propagation {
         solid_ = after_flood(std::move(solid_), f);
       }
     }
+    result_.unproven_splits = static_cast<int>(std::count(unproven.begin(), unproven.end(), true));
     return trees;
   }
 
@@ -172,10 +176,10 @@ class propagation {
   static constexpr int most_floods = 3;
 
   // The preferred tree of a vertex, empty where it needs none; nothing where it has none.
-  std::optional<split_tree> split(const boundary& b, int v) const {
-    if (b.vertices[v].facets.size() == 3 || b.vertices[v].is_majority()) return split_tree{};
-    if (b.vertices[v].facets.size() > greatest_split_degree && b.edges.size() > input_edges_) return std::nullopt;  // by floods
-    return splitter<K>(k_, corner_at(b, b.vertices[v])).best(options_.prefer);
+  std::optional<chosen_split> split(const boundary& b, int v) const {
+    if (b.vertices[v].facets.size() == 3 || b.vertices[v].is_majority()) return chosen_split{{}, true};
+    if (b.vertices[v].facets.size() > input_degrees_[v] + most_floods) return std::nullopt;
+    return preferred_split(k_, corner_at(b, b.vertices[v]), options_.prefer);
   }
 
   // One moving edge for each edge of the solid; one for several that become one where facets of one plane join.
@@ -613,9 +617,9 @@ class propagation {
   }
 
   const K& k_;
-  boundary solid_;           // floods change it
-  std::size_t input_edges_;  // before them
-  std::vector<int> origin_;  // by edge: the input's edge that it was
+  boundary solid_;                          // floods change it
+  std::vector<std::size_t> input_degrees_;  // of the vertices before them
+  std::vector<int> origin_;                 // by edge: the input's edge that it was
   options options_;
   wavefront front_;
   skeleton result_;

@@ -45,6 +45,9 @@ struct skeleton {
   /// Events by class, and those with two admissible outcomes.
   std::array<int, event_classes> events{};
   int ambiguous = 0;
+
+  /// Vertices whose split is valid but was not proven to be the preferred one (preferred_split.hpp). Tells of the run: documents do not have it.
+  int unproven_splits = 0;
 };
 
 }  // namespace osteon

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "osteon/corner.hpp"
 #include "osteon/error.hpp"
 #include "osteon/kernel.hpp"
 #include "osteon/segment.hpp"
@@ -29,15 +30,6 @@ enum class split_preference : std::uint8_t {
   reflex,      ///< most reflex edges
   min_volume,  ///< least volume of the offset
   max_volume   ///< greatest volume of the offset
-};
-
-/// The corner of a vertex: facets counter-clockwise seen from outside, and whether the edge between facet m and m + 1
-/// is convex.
-struct corner {
-  std::vector<plane_id> facets;
-  std::vector<bool> convex;
-
-  int degree() const { return static_cast<int>(facets.size()); }
 };
 
 /// An edge of a split corner between the facets a and b of the corner. Where a facet's plane occurs twice around the
@@ -107,24 +99,28 @@ inline std::uint64_t catalan(int n) {
 template <kernel K>
 class splitter {
  public:
-  /// Requires degree >= 4. Throws unsupported_error where the degree exceeds greatest_split_degree. `bounded` demands that all vertices stay near, as
-  /// a solid needs it. Without it three planes that share a line may make a vertex too, which is infinitely far away; a perturbed kernel places it.
-  splitter(const K& k, corner c, bool bounded = true) : k_(k), c_(std::move(c)), start_(k.start()), bounded_(bounded) {
-    if (c_.degree() > greatest_split_degree)
-      throw unsupported_error("not yet: a vertex of degree " + std::to_string(c_.degree()) + " (at most " + std::to_string(greatest_split_degree) +
-                              ")");
-    const int n = c_.degree();
-    sides_.assign(static_cast<std::size_t>(n) * n * n * n, unknown);
-  }
+  /// Requires degree >= 4; `bounded` as for corner_signs.
+  splitter(const K& k, corner c, bool bounded = true) : signs_(k, std::move(c), bounded) {}
 
-  /// All trees that obey the local rule, in the thesis's order.
+  const corner_signs<K>& signs() const { return signs_; }
+
+  /// All trees that obey the local rule, in the thesis's order. Throws unsupported_error where the degree exceeds greatest_split_degree.
   std::vector<split_tree> candidates() const {
+    if (signs_.degree() > greatest_split_degree)
+      throw unsupported_error("not yet: all trees of a vertex of degree " + std::to_string(signs_.degree()) + " with facets in one plane (at most " +
+                              std::to_string(greatest_split_degree) + ")");
     std::vector<split_tree> result;
-    for_each_triangulation(c_.degree(), [&](std::span<const std::pair<int, int>> diagonals) {
+    for_each_triangulation(signs_.degree(), [&](std::span<const std::pair<int, int>> diagonals) {
       split_tree t;
       if (make(diagonals, t)) result.push_back(std::move(t));
     });
     return result;
+  }
+
+  /// The tree of a triangulation given by its diagonals, ascending; nothing where it breaks the local rule.
+  std::optional<split_tree> tree(std::span<const std::pair<int, int>> diagonals) const {
+    split_tree t;
+    return make(diagonals, t) ? std::optional(std::move(t)) : std::nullopt;
   }
 
   /// Whether the offset surface of a tree that obeys the local rule has no self-intersection, exactly: no edge meets
@@ -168,7 +164,7 @@ class splitter {
         segment& e = result[static_cast<std::size_t>(t.vertex_edges[v][r])];
         const plane_id third = plane(t.vertices[v][r]);
         const bool inside = e.convex == positive(t.vertices[v]);
-        const int end = runs_inside(k_, e.planes[0], e.planes[1], third, 0) == inside ? 0 : 1;
+        const int end = runs_inside(signs_.kernel(), e.planes[0], e.planes[1], third, 0) == inside ? 0 : 1;
         e.third[end] = third;
         e.inside[end] = inside;
       }
@@ -176,61 +172,54 @@ class splitter {
   }
 
  private:
-  static constexpr signed char unknown = 2;
+  plane_id plane(int facet) const { return signs_.plane(facet); }
+  bool positive(const std::array<int, 3>& v) const { return signs_.positive(v[0], v[1], v[2]); }
 
-  plane_id plane(int facet) const { return c_.facets[facet]; }
-  bool meet(plane_id a, plane_id b, plane_id c) const { return bounded_ ? k_.transversal(a, b, c) : k_.orientation(a, b, c) != sign::zero; }
-
-  // The vertex (a,b,c) against facet d just after the start, remembered.
-  sign side(int d, int a, int b, int c) const {
-    const int n = c_.degree();
-    std::array<int, 3> abc = {a, b, c};
-    std::sort(abc.begin(), abc.end());
-    signed char& known = sides_[((static_cast<std::size_t>(d) * n + abc[0]) * n + abc[1]) * n + abc[2]];
-    if (known == unknown) known = static_cast<signed char>(generic_side(k_, plane(d), plane(abc[0]), plane(abc[1]), plane(abc[2]), start_));
-    return static_cast<sign>(known);
-  }
-
-  bool positive(const std::array<int, 3>& v) const { return k_.orientation(plane(v[0]), plane(v[1]), plane(v[2])) == sign::positive; }
-
-  // The edges of a triangulation by their ends (row the lesser one), -1 for none: the sides of the corner, then the diagonals.
-  std::vector<int> number_edges(std::span<const std::pair<int, int>> diagonals) const {
-    const int n = c_.degree();
-    std::vector<int> number(static_cast<std::size_t>(n) * n, -1);
-    for (int e = 0; e < n; ++e) number[e == n - 1 ? e : e * n + e + 1] = e;
-    for (std::size_t e = 0; e < diagonals.size(); ++e) number[diagonals[e].first * n + diagonals[e].second] = n + static_cast<int>(e);
-    return number;
+  // The edges of a triangulation: the facets with which each facet has one, ascending, and its number: the sides of the corner, then the diagonals.
+  std::vector<std::vector<std::pair<int, int>>> fans(std::span<const std::pair<int, int>> diagonals) const {
+    const int n = signs_.degree();
+    std::vector<std::vector<std::pair<int, int>>> result(static_cast<std::size_t>(n));
+    const auto join = [&](int a, int b, int number) {
+      result[static_cast<std::size_t>(a)].emplace_back(b, number);
+      result[static_cast<std::size_t>(b)].emplace_back(a, number);
+    };
+    for (int e = 0; e < n; ++e) join(e, (e + 1) % n, e);
+    for (std::size_t e = 0; e < diagonals.size(); ++e) join(diagonals[e].first, diagonals[e].second, n + static_cast<int>(e));
+    for (auto& fan : result) std::sort(fan.begin(), fan.end());
+    return result;
   }
 
   // Builds the tree of a triangulation; false where it breaks the local rule. A triangle with two facets of one plane
   // is no vertex: its two edges to the third facet are one.
   bool make(std::span<const std::pair<int, int>> diagonals, split_tree& t) const {
-    const int n = c_.degree();
+    const int n = signs_.degree();
     std::vector<int> same(static_cast<std::size_t>(n) + diagonals.size());
     std::iota(same.begin(), same.end(), 0);
     const auto root = [&same](int e) {
       while (same[static_cast<std::size_t>(e)] != e) e = same[static_cast<std::size_t>(e)];
       return e;
     };
-    const std::vector<int> edge_at = number_edges(diagonals);
+    const auto fan = fans(diagonals);
     std::vector<std::array<int, 3>> opposite;  // edge numbers of the vertices
     for (int a = 0; a < n; ++a)
-      for (int b = a + 1; b < n; ++b)
-        for (int c = b + 1; c < n && edge_at[a * n + b] >= 0; ++c) {
-          const std::array<int, 3> e = {edge_at[b * n + c], edge_at[a * n + c], edge_at[a * n + b]};
-          if (e[0] < 0 || e[1] < 0) continue;
-          const std::array<bool, 3> joined = {plane(b) == plane(c), plane(a) == plane(c), plane(a) == plane(b)};
-          const auto pairs = std::count(joined.begin(), joined.end(), true);
-          if (pairs > 1) return false;
-          if (pairs == 1) {
-            const int r = joined[0] ? 0 : (joined[1] ? 1 : 2);
-            same[static_cast<std::size_t>(root(e[(r + 1) % 3]))] = root(e[(r + 2) % 3]);
-            continue;
-          }
-          if (!meet(plane(a), plane(b), plane(c))) return false;
-          t.vertices.push_back({a, b, c});
-          opposite.push_back(e);
+      for (std::size_t at = 0; at + 1 < fan[a].size(); ++at) {
+        const auto [b, ab] = fan[a][at];
+        const auto [c, ac] = fan[a][at + 1];
+        if (b < a) continue;
+        const auto bc = std::lower_bound(fan[b].begin(), fan[b].end(), std::pair(c, 0))->second;
+        const std::array<int, 3> e = {bc, ac, ab};
+        const std::array<bool, 3> joined = {plane(b) == plane(c), plane(a) == plane(c), plane(a) == plane(b)};
+        const auto pairs = std::count(joined.begin(), joined.end(), true);
+        if (pairs > 1) return false;
+        if (pairs == 1) {
+          const int r = joined[0] ? 0 : (joined[1] ? 1 : 2);
+          same[static_cast<std::size_t>(root(e[(r + 1) % 3]))] = root(e[(r + 2) % 3]);
+          continue;
         }
+        if (!signs_.meet(plane(a), plane(b), plane(c))) return false;
+        t.vertices.push_back({a, b, c});
+        opposite.push_back(e);
+      }
     std::vector<int> number(same.size(), -1);
     for (int e = 0; e < static_cast<int>(same.size()); ++e) {
       const auto [a, b] = e < n ? std::pair(e, (e + 1) % n) : diagonals[static_cast<std::size_t>(e - n)];
@@ -264,27 +253,23 @@ class splitter {
   // An edge of the solid keeps its kind. A new one lies between two vertices, and design 03 tells: it is convex iff
   // (det > 0) == (it runs inside), at either end. False where the two halves of one edge differ.
   bool set_convexity(split_tree& t) const {
+    std::vector<std::vector<std::pair<std::size_t, int>>> ends_of(t.edges.size());
+    for (std::size_t v = 0; v < t.vertices.size(); ++v)
+      for (int r = 0; r < 3; ++r) ends_of[static_cast<std::size_t>(t.vertex_edges[v][r])].emplace_back(v, r);
     for (std::size_t i = 0; i < t.edges.size(); ++i) {
       split_edge& e = t.edges[i];
       if (e.rays[0] >= 0) {
-        e.convex = c_.convex[static_cast<std::size_t>(e.rays[0])];
-        if (e.rays[1] >= 0 && c_.convex[static_cast<std::size_t>(e.rays[1])] != e.convex) return false;
+        e.convex = signs_.ray_is_convex(e.rays[0]);
+        if (e.rays[1] >= 0 && signs_.ray_is_convex(e.rays[1]) != e.convex) return false;
         continue;
       }
-      std::array<std::pair<std::size_t, int>, 2> ends;
-      int found = 0;
-      for (std::size_t v = 0; v < t.vertices.size(); ++v)
-        for (int r = 0; r < 3; ++r)
-          if (t.vertex_edges[v][r] == static_cast<int>(i)) {
-            if (found == 2) return false;
-            ends[static_cast<std::size_t>(found++)] = {v, r};
-          }
-      if (found != 2) return false;
+      const auto& ends = ends_of[i];
+      if (ends.size() != 2) return false;
       const auto& [v, r] = ends[0];
       const auto& w = t.vertices[ends[1].first];
       const int third = t.vertices[v][r];
       if (plane(third) == plane(w[ends[1].second])) return false;
-      e.convex = positive(t.vertices[v]) == (side(third, w[0], w[1], w[2]) == sign::positive);
+      e.convex = positive(t.vertices[v]) == (signs_.side(third, w[0], w[1], w[2]) == sign::positive);
     }
     return true;
   }
@@ -301,31 +286,34 @@ class splitter {
   }
 
   bool pierces(const segment& e, plane_id l, const std::vector<segment>& facet) const {
+    const K& k = signs_.kernel();
     if (e.planes[0] == l || e.planes[1] == l || e.third[0] == l || e.third[1] == l) return false;
-    if (!meet(e.planes[0], e.planes[1], l) || !on_segment(k_, e, l, start_)) return false;
+    if (!signs_.meet(e.planes[0], e.planes[1], l) || !on_segment(k, e, l, signs_.start())) return false;
     for (const segment& b : facet)  // does it meet an edge of the facet that lies in one of its own two facets?
       for (const int s : {0, 1})
-        if (b.other(l) == e.planes[s] && on_segment(k_, b, e.planes[1 - s], start_)) return true;
+        if (b.other(l) == e.planes[s] && on_segment(k, b, e.planes[1 - s], signs_.start())) return true;
     return in_facet(l, facet, e.planes[0], e.planes[1]);
   }
 
   // Whether the corner (l,i,j) lies in the unbounded facet of l. Where neither line through it meets an edge, all
   // edges lie in one quadrant of the two lines, and the corner is in the facet iff that covers more than half a turn.
   bool in_facet(plane_id l, const std::vector<segment>& facet, plane_id i, plane_id j) const {
+    const K& k = signs_.kernel();
     for (const auto& [first, second] : {std::pair(i, j), std::pair(j, i)}) {
       std::vector<segment> across;
       for (const segment& e : facet)
-        if (e.other(l) != first && meet(l, first, e.other(l))) across.push_back(e);
+        if (e.other(l) != first && signs_.meet(l, first, e.other(l))) across.push_back(e);
       for (const bool into : {true, false})
-        if (const auto seen = look(k_, across, l, first, second, into, start_)) return *seen;
+        if (const auto seen = look(k, across, l, first, second, into, signs_.start())) return *seen;
     }
-    const std::size_t n = c_.facets.size();
+    const auto& [facets, convex] = signs_.of();
+    const std::size_t n = facets.size();
     for (std::size_t at = 0; at < n; ++at) {
-      if (c_.facets[at] != l) continue;
+      if (facets[at] != l) continue;
       const std::size_t before = (at + n - 1) % n;
-      if (!k_.transversal(c_.facets[before], l, c_.facets[(at + 1) % n])) continue;  // half a turn, or none at all
-      const bool up = k_.orientation(c_.facets[before], l, c_.facets[(at + 1) % n]) == sign::positive;
-      if ((c_.convex[at] == up) != c_.convex[before]) return true;
+      if (!k.transversal(facets[before], l, facets[(at + 1) % n])) continue;  // half a turn, or none at all
+      const bool up = k.orientation(facets[before], l, facets[(at + 1) % n]) == sign::positive;
+      if ((convex[at] == up) != convex[before]) return true;
     }
     return false;
   }
@@ -337,9 +325,9 @@ class splitter {
       case split_preference::reflex:
         return s.reflex_edges() > t.reflex_edges();
       case split_preference::min_volume:
-        return k_.compare_volume(planes(s), planes(t)) == sign::negative;
+        return signs_.kernel().compare_volume(planes(s), planes(t)) == sign::negative;
       case split_preference::max_volume:
-        return k_.compare_volume(planes(s), planes(t)) == sign::positive;
+        return signs_.kernel().compare_volume(planes(s), planes(t)) == sign::positive;
     }
     return false;
   }
@@ -350,11 +338,7 @@ class splitter {
     return result;
   }
 
-  const K& k_;
-  corner c_;
-  typename K::meeting start_;
-  bool bounded_;
-  mutable std::vector<signed char> sides_;
+  corner_signs<K> signs_;
 };
 
 }  // namespace osteon

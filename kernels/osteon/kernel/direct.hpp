@@ -98,6 +98,8 @@ class direct_kernel {
   const Arithmetic& arithmetic() const { return f_.arithmetic(); }
 
   plane_id size() const { return f_.arithmetic().size(); }
+  bool has_unit_speeds() const requires requires(const Arithmetic& a) { a.has_unit_speeds(); }
+  { return f_.arithmetic().has_unit_speeds(); }
   sign orientation(plane_id a, plane_id b, plane_id c) const { return f_.orientation_at(0, {a, b, c}); }
   bool transversal(plane_id a, plane_id b, plane_id c) const { return orientation(a, b, c) != sign::zero; }
 

@@ -46,6 +46,8 @@ class filtered {
   const K& base() const { return exact_; }
 
   plane_id size() const { return exact_.size(); }
+  bool has_unit_speeds() const requires requires(const K& k) { k.has_unit_speeds(); }
+  { return exact_.has_unit_speeds(); }
   sign orientation(plane_id a, plane_id b, plane_id c) const { return orientation_at(0, {a, b, c}); }
   bool transversal(plane_id a, plane_id b, plane_id c) const { return orientation(a, b, c) != sign::zero; }
 

@@ -35,6 +35,8 @@ class perturbed {
   const K& base() const { return k_; }
 
   plane_id size() const { return k_.size(); }
+  bool has_unit_speeds() const requires requires(const K& k) { k.has_unit_speeds(); }
+  { return k_.has_unit_speeds(); }
   sign orientation(plane_id a, plane_id b, plane_id c) const {
     const sign s = k_.orientation(a, b, c);
     if (a == b || b == c || a == c) return sign::zero;

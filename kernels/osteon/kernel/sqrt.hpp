@@ -4,6 +4,7 @@
 /// \file
 /// The square-root-extension kernel: speeds weight * |n| exactly.
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <span>
@@ -68,7 +69,11 @@ class sqrt_arithmetic : public integer_planes {
 
   explicit sqrt_arithmetic(std::span<const moving_plane<integer>> planes) : integer_planes(planes) {
     for (plane_id i = 0; i < size(); ++i) roots_.add(dot(i, i), plane(i).weight);
+    unit_ = std::all_of(planes.begin(), planes.end(), [&](const auto& p) { return p.weight == planes.front().weight; });
   }
+
+  /// Whether all weights are equal. Then, and only with exact roots, is n / speed of every plane a corner of the convex hull of all.
+  bool has_unit_speeds() const { return unit_; }
 
   using integer_planes::decide;
   sign decide(const linear_form<integer>& f) const { return roots_.sign_of_form(f.terms, f.size); }
@@ -139,6 +144,7 @@ class sqrt_arithmetic : public integer_planes {
   }
 
   square_classes roots_;
+  bool unit_ = true;
 };
 
 using sqrt_kernel = direct_kernel<sqrt_arithmetic>;

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+
+// Dynamic programming over intervals, and the search among its candidates, against the list of all trees.
+
+#include "osteon/split_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "osteon/models.hpp"
+#include "osteon/preferred_split.hpp"
+#include "osteon/verify.hpp"
+#include "support.hpp"
+
+namespace osteon::test {
+namespace {
+
+using diagonals = std::vector<std::pair<int, int>>;
+
+struct random_corner {
+  std::vector<moving_plane<integer>> planes;
+  corner of;
+};
+
+// The vertex of a terrain over k sectors: convex, reflex or mixed, pointed or not. Nothing where two neighbours are coplanar.
+std::optional<random_corner> make_corner(int k, std::uint64_t seed) {
+  models::dice roll(seed);
+  const long steep = std::array<long, 4>{300, 900, 3000, 12000}[static_cast<std::size_t>(roll.between(0, 3))];
+  using direction = std::array<integer, 3>;
+  std::vector<direction> rays;
+  for (int i = 0; i < k; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + 0.8 * static_cast<double>(roll.between(0, 1000)) / 1000) / k;
+    const double length = 1000 + 2.0 * static_cast<double>(roll.between(0, 1000));
+    rays.push_back(
+        {integer(std::lround(length * std::cos(angle))), integer(std::lround(length * std::sin(angle))), integer(roll.between(-steep, steep))});
+  }
+  const auto across = [](const direction& x, const direction& y) {
+    return direction{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+  };
+  random_corner c;
+  for (int i = 0; i < k; ++i) {
+    c.planes.push_back({across(rays[i], rays[(i + 1) % k]), integer(0)});
+    c.of.facets.push_back(i);
+  }
+  for (int i = 0; i < k; ++i) {
+    const direction bend = across(c.planes[i].n, c.planes[(i + 1) % k].n);
+    const direction& ray = rays[(i + 1) % k];
+    const integer s = bend[0] * ray[0] + bend[1] * ray[1] + bend[2] * ray[2];
+    if (s == 0) return std::nullopt;
+    c.of.convex.push_back(s < 0);
+  }
+  return c;
+}
+
+// The apex of a pyramid over k points of a parabola and a chord.
+random_corner make_convex_corner(int k, std::uint64_t seed) {
+  models::dice roll(seed);
+  std::vector<long> at;
+  for (long x = 0; static_cast<int>(at.size()) < k; x += roll.between(1, 5)) at.push_back(x);
+  random_corner c;
+  const long height = roll.between(1, 9) * at.back() * at.back() / 4 + 1;
+  const auto ray = [&](int i) {
+    const long x = at[static_cast<std::size_t>(i % k)] * 2 - at.back();
+    return std::array<integer, 3>{integer(x), integer(x) * x - integer(at.back()) * at.back() / 2, integer(-height)};
+  };
+  for (int i = 0; i < k; ++i) {
+    const auto x = ray(i);
+    const auto y = ray(i + 1);
+    c.planes.push_back({{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]}, integer(0)});
+    c.of.facets.push_back(i);
+    c.of.convex.push_back(true);
+  }
+  return c;
+}
+
+// The same surface with the solid on its other side.
+random_corner complement(const random_corner& c) {
+  random_corner result;
+  for (auto p = c.planes.rbegin(); p != c.planes.rend(); ++p) {
+    result.planes.push_back({{-p->n[0], -p->n[1], -p->n[2]}, integer(0)});
+    result.of.facets.push_back(static_cast<int>(result.of.facets.size()));
+    result.of.convex.push_back(false);
+  }
+  return result;
+}
+
+auto kernel_of(const random_corner& c) { return perturbed(filtered(std::span<const moving_plane<integer>>(c.planes), make_sqrt_kernel(c.planes))); }
+
+// Whether every facet's border turns by less than half a turn, by angles.
+bool turns_little(const random_corner& c, const split_tree& t) {
+  using vector = std::array<double, 3>;
+  const int k = c.of.degree();
+  const auto normal = [&c](int f) {
+    vector n{};
+    for (std::size_t i = 0; i < 3; ++i) n[i] = c.planes[static_cast<std::size_t>(f)].n[i].template convert_to<double>();
+    return n;
+  };
+  const auto across = [](const vector& x, const vector& y) {
+    return vector{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+  };
+  const auto dot = [](const vector& x, const vector& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; };
+  for (int f = 0; f < k; ++f) {
+    std::vector<std::pair<int, vector>> border;  // by the place of the other facet behind f
+    for (const split_edge& e : t.edges) {
+      if (e.a != f && e.b != f) continue;
+      const int x = e.a == f ? e.b : e.a;
+      vector d = across(normal(f), normal(x));
+      if (!e.convex)
+        for (double& z : d) z = -z;
+      border.emplace_back((x - f + k) % k, d);
+    }
+    std::sort(border.begin(), border.end());
+    double turn = 0;
+    for (std::size_t i = 1; i < border.size(); ++i) {
+      const auto& [x, d] = border[i - 1];
+      const auto& [y, e] = border[i];
+      const vector n = normal(f);
+      turn += std::atan2(dot(across(d, e), n) / std::sqrt(dot(n, n)), dot(d, e));
+    }
+    if (std::abs(turn) >= std::numbers::pi) return false;
+  }
+  return true;
+}
+
+// Whether the convex edges of every facet follow each other.
+bool has_convex_blocks(const random_corner& c, const split_tree& t) {
+  const int k = c.of.degree();
+  for (int f = 0; f < k; ++f) {
+    std::vector<std::pair<int, bool>> border;
+    for (const split_edge& e : t.edges)
+      if (e.a == f || e.b == f) border.emplace_back(((e.a == f ? e.b : e.a) - f + k) % k, e.convex);
+    std::sort(border.begin(), border.end());
+    const auto convex = [](const auto& e) { return e.second; };
+    const auto first = std::find_if(border.begin(), border.end(), convex);
+    if (std::any_of(std::find_if_not(first, border.end(), convex), border.end(), convex)) return false;
+  }
+  return true;
+}
+
+std::vector<triple> planes_of(const split_tree& t) {
+  return {t.vertices.begin(), t.vertices.end()};  // facet i has plane i
+}
+
+template <class Search>
+std::set<diagonals> listed_by(Search& search) {
+  std::set<diagonals> found;
+  search.for_each([&](const diagonals& d) {
+    EXPECT_TRUE(found.insert(d).second) << "a tree comes twice";
+    return false;
+  });
+  return found;
+}
+
+TEST(SplitSearch, AgreesWithTheListOn5000Corners) {
+  int corners = 0;
+  std::size_t valid_trees = 0;
+  std::size_t turning_trees = 0;
+  for (int k = 4; k <= 11; ++k) {
+    const int wanted = k <= 9 ? 720 : (k == 10 ? 450 : 230);
+    for (int n = 0, seed = 1; n < wanted; ++seed) {
+      SCOPED_TRACE("degree " + std::to_string(k) + ", seed " + std::to_string(seed));
+      const auto c = make_corner(k, static_cast<std::uint64_t>(1000 * k + seed));
+      if (!c) continue;
+      ++n;
+      ++corners;
+      const auto kernel = kernel_of(*c);
+      using K = std::remove_cvref_t<decltype(kernel)>;
+      const splitter s(kernel, c->of);
+      std::set<diagonals> valid;
+      std::size_t candidates = 0;
+      std::array<int, 2> most = {-1, -1};
+      std::array<std::optional<split_tree>, 2> extreme;
+      for (const split_tree& t : s.candidates()) {
+        candidates += turns_little(*c, t) && has_convex_blocks(*c, t) ? 1U : 0U;
+        turning_trees += turns_little(*c, t) ? 0U : 1U;
+        if (!s.valid(t)) continue;
+        ASSERT_TRUE(turns_little(*c, t));
+        ASSERT_TRUE(has_convex_blocks(*c, t));
+        valid.insert(t.operations);
+        most[0] = std::max(most[0], t.convex_edges());
+        most[1] = std::max(most[1], t.reflex_edges());
+        for (const std::size_t side : {0U, 1U})
+          if (!extreme[side] || kernel.compare_volume(planes_of(t), planes_of(*extreme[side])) == (side == 0 ? sign::negative : sign::positive))
+            extreme[side] = t;
+      }
+      ASSERT_FALSE(valid.empty());
+      valid_trees += valid.size();
+      split_search<K, edge_count, std::uint64_t> search(s.signs(), edge_count(true));
+      ASSERT_EQ(search.count(), candidates);
+      ASSERT_EQ(listed_by(search), valid);
+      const auto accepts = [&valid](const diagonals& d) { return valid.contains(d); };
+      for (const bool convex : {true, false}) {
+        const auto best = split_search<K, edge_count>(s.signs(), edge_count(convex)).best(accepts);
+        ASSERT_EQ(best.end, search_end::best);
+        const auto t = s.tree(best.tree);
+        ASSERT_EQ(convex ? t->convex_edges() : t->reflex_edges(), most[convex ? 0 : 1]);
+      }
+      for (const bool greatest : {false, true}) {
+        const auto best = split_search<K, offset_volume<K>>(s.signs(), offset_volume<K>(s.signs(), greatest)).best(accepts);
+        ASSERT_EQ(best.end, search_end::best);
+        ASSERT_EQ(kernel.compare_volume(planes_of(*s.tree(best.tree)), planes_of(*extreme[greatest ? 1 : 0])), sign::zero);
+      }
+      if (valid.size() == 1) {
+        ASSERT_TRUE(accepts(preferred_split(kernel, c->of, split_preference::convex)->tree.operations));
+      }
+    }
+  }
+  EXPECT_GE(corners, 5000);
+  EXPECT_GT(valid_trees, 10000U);
+  EXPECT_GT(turning_trees, 1000U);
+}
+
+TEST(SplitSearch, SolidsWithVerticesOfHighDegreeAreCertified) {
+  for (const int degree : {16, 24, 40, 64, 100})
+    for (const std::uint64_t seed : {1U, 2U})
+      for (const auto preference : {split_preference::convex, split_preference::reflex}) {
+        SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
+        const auto s = make_solid(models::cone(degree, seed).take<integer>());
+        const auto k = default_kernel(s);
+        const auto raw = straight_skeleton(k, s.boundary, preferring(preference));
+        EXPECT_FALSE(verify(k, s.boundary, raw));
+        if (preference == split_preference::convex || degree <= 40) {
+          EXPECT_EQ(raw.unproven_splits, 0);
+        }
+      }
+}
+
+// A corner over a convex polygon, and its complement: one tree, found without looking at others.
+TEST(OnlySplit, IsTheOneOfTheList) {
+  for (int k = 4; k <= 9; ++k)
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+      SCOPED_TRACE("degree " + std::to_string(k) + ", seed " + std::to_string(seed));
+      const auto c = make_convex_corner(k, seed);
+      for (const bool reflex : {false, true}) {
+        const random_corner either = reflex ? complement(c) : c;
+        const auto kernel = kernel_of(either);
+        const auto all = splitter(kernel, either.of).all();
+        ASSERT_EQ(all.size(), 1U);
+        ASSERT_EQ(only_split(kernel, either.of), all.front().operations);
+      }
+    }
+}
+
+TEST(OnlySplit, TakesTimeLikeTheDegree) {
+  for (const int k : {100, 1000, 10000}) {
+    const auto c = make_convex_corner(k, 1);
+    const auto tree = preferred_split(kernel_of(c), c.of, split_preference::convex);
+    ASSERT_TRUE(tree);
+    EXPECT_EQ(tree->tree.vertices.size(), static_cast<std::size_t>(k) - 2);
+  }
+}
+
+}  // namespace
+}  // namespace osteon::test
