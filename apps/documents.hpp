@@ -39,6 +39,15 @@ inline json counts_document(const contracted_skeleton& s) {
   return {{"nodes", s.nodes.size()}, {"arcs", s.arcs.size()}, {"sheets", s.sheets.size()}, {"cells", s.cells}};
 }
 
+/// The length of the solid's unit in the input's.
+inline rational unit_of(const solid<integer>& s) {
+  const auto power = [](int base, int exponent) {
+    const integer p = pow(integer(base), static_cast<unsigned>(std::abs(exponent)));
+    return exponent < 0 ? rational(1, p) : rational(p);
+  };
+  return power(10, s.ten) * power(2, s.two);
+}
+
 /// How a skeleton came about.
 struct provenance {
   std::string kernel, prefer, saddle;
@@ -48,13 +57,7 @@ struct provenance {
 /// rounded to doubles, in the units of the input. Points and edges of the solid go by the points' numbers in the input, from 1.
 inline json skeleton_document(const solid<integer>& of, const skeleton& s, const std::optional<contracted_skeleton>& exact, const provenance& by) {
   const locator where(of.planes);
-  const rational unit = [&] {
-    const auto power = [](int base, int exponent) {
-      const integer p = pow(integer(base), static_cast<unsigned>(std::abs(exponent)));
-      return exponent < 0 ? rational(1, p) : rational(p);
-    };
-    return rational(power(10, of.ten) * power(2, of.two));
-  }();
+  const rational unit = unit_of(of);
   const auto to_input = [&](const std::array<rational, 3>& p) {
     json point = json::array();
     for (std::size_t axis = 0; axis < 3; ++axis) point.push_back(static_cast<double>(rational((p[axis] + of.shift[axis]) * unit)));

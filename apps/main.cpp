@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+#include "ambiguity.hpp"
+#include "common.hpp"
 #include "documents.hpp"
 #include "osteon/contract.hpp"
 #include "osteon/kernel/double.hpp"
@@ -31,77 +33,12 @@
 #include "osteon/propagate.hpp"
 #include "osteon/solid.hpp"
 #include "osteon/verify.hpp"
+#include "splits.hpp"
 
 namespace osteon::app {
 namespace {
 
 enum status : int { done = 0, refuted = 1, usage = 2, bad_input = 3, undecided = 4, broken = 5 };
-
-const std::map<std::string, split_preference> preferences = {{"convex", split_preference::convex},
-                                                             {"reflex", split_preference::reflex},
-                                                             {"min-volume", split_preference::min_volume},
-                                                             {"max-volume", split_preference::max_volume}};
-const std::map<std::string, saddle_rule> saddles = {
-    {"convex", saddle_rule::convex}, {"reflex", saddle_rule::reflex}, {"slower", saddle_rule::slower}, {"faster", saddle_rule::faster}};
-
-std::string name_of(saddle_rule rule) {
-  return std::find_if(saddles.begin(), saddles.end(), [rule](const auto& s) { return s.second == rule; })->first;
-}
-
-template <class Value>
-std::vector<std::string> names(const std::map<std::string, Value>& of) {
-  std::vector<std::string> result;
-  for (const auto& [name, value] : of) result.push_back(name);
-  return result;
-}
-
-/// A file with the repairs that the user asked for.
-struct model {
-  std::string file;
-  bool flip = false;
-  bool triangulate = false;
-
-  void add_to(CLI::App& command) {
-    command.add_option("FILE", file, "a closed polyhedron as Wavefront OBJ; - for standard input")->required();
-    command.add_flag("--flip", flip, "reverse all facets, for a model whose normals point inwards");
-    command.add_flag("--triangulate", triangulate, "cut facets that are not planar into triangles");
-  }
-
-  solid<integer> read() const {
-    mesh<integer> m = [&] {
-      if (file == "-") return read_obj<integer>(std::cin, "standard input");
-      std::ifstream in(file, std::ios::binary);
-      if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
-      return read_obj<integer>(in, file);
-    }();
-    if (flip) solid_builder<integer>::flip(m);
-    if (triangulate) solid_builder<integer>::triangulate(m);
-    return make_solid(std::move(m));
-  }
-};
-
-/// A raw skeleton and, where the kernel is exact, the contracted one.
-struct both_skeletons {
-  skeleton raw;
-  std::optional<contracted_skeleton> exact;
-};
-
-template <kernel K>
-both_skeletons compute(const perturbed<K>& k, const boundary& b, const options& o) {
-  both_skeletons result{straight_skeleton(k, b, o), std::nullopt};
-  result.exact = contract(k.base(), b, result.raw);
-  return result;
-}
-
-inline both_skeletons compute(const double_kernel& k, const boundary& b, const options& o) { return {straight_skeleton(k, b, o), std::nullopt}; }
-
-/// Calls body with the named kernel. The exact ones are filtered and perturbed, so that no input is degenerate.
-template <class Body>
-auto with_kernel(const std::string& name, std::span<const moving_plane<integer>> planes, Body body) {
-  if (name == "double") return body(make_double_kernel(planes));
-  if (name == "rational") return body(perturbed(filtered(planes, make_rational_kernel(planes))));
-  return body(perturbed(filtered(planes, make_sqrt_kernel(planes))));
-}
 
 /// The certificate of a skeleton by the named kernel (double: by the exact one), contracted where it is given.
 std::optional<refutation> certify(const solid<integer>& s, const std::string& name, const skeleton& raw,
@@ -112,18 +49,6 @@ std::optional<refutation> certify(const solid<integer>& s, const std::string& na
   };
   if (name == "rational") return check(perturbed(filtered(std::span<const moving_plane<integer>>(s.planes), make_rational_kernel(s.planes))));
   return check(perturbed(filtered(std::span<const moving_plane<integer>>(s.planes), make_sqrt_kernel(s.planes))));
-}
-
-/// Writes to a new file first, so that nothing is lost when that fails.
-void write_file(const std::string& name, const std::string& text) {
-  const std::string fresh = name + ".part";
-  {
-    std::ofstream out(fresh, std::ios::binary);
-    out << text;
-    out.flush();
-    if (!out) throw input_error(input_fault::unreadable, 0, name + ": cannot be written", "check the folder and the space on the disk");
-  }
-  std::filesystem::rename(fresh, name);
 }
 
 struct skeleton_command {
@@ -228,76 +153,6 @@ struct verify_command {
   }
 };
 
-struct splits_command {
-  model input;
-  int vertex = 0;
-  bool all = false;
-  bool summary = false;
-
-  void add_to(CLI::App& program) {
-    CLI::App* c = program.add_subcommand("splits", "list the ways to split a vertex into vertices of degree three");
-    input.add_to(*c);
-    c->add_option("--vertex", vertex, "the point's number in the file, from 1")->required();
-    c->add_flag("--all", all, "list every valid tree, not only the first ten");
-    c->add_flag("--summary", summary, "print one JSON object with counts");
-    c->footer(
-        "A tree is a list of split operations <a,b>: the facets a and b of the vertex, counted from 0 counter-clockwise\n"
-        "seen from outside, become adjacent. `#` after a tree: one of its vertices lies infinitely far away on an edge\n"
-        "of the solid, so that the tree splits the corner but not the solid.\n"
-        "Example:\n  osteon splits seastar.obj --vertex 12 --all");
-    c->callback([this] { run(); });
-  }
-
-  void run() const {
-    const solid<integer> s = input.read();
-    const auto found = std::find(s.input_points.begin(), s.input_points.end(), vertex - 1);
-    if (found == s.input_points.end())
-      throw input_error(input_fault::bad_index, static_cast<std::size_t>(std::max(vertex, 0)),
-                        fmt::format("{}: point {} is no vertex of the solid", input.file, vertex), "name a point where at least three planes meet");
-    const auto& v = s.boundary.vertices[static_cast<std::size_t>(found - s.input_points.begin())];
-    const int degree = static_cast<int>(v.facets.size());
-    std::map<operations, bool> trees;                   // whether all vertices stay near
-    const bool whole = degree == 3 || v.is_majority();  // never splits
-    if (!whole) {
-      corner c{v.facets, {}};
-      for (const int e : v.edges) c.convex.push_back(s.boundary.edges[static_cast<std::size_t>(e)].convex);
-      for (const bool mirrored : {false, true}) {
-        const perturbed k(filtered(std::span<const moving_plane<integer>>(s.planes), make_sqrt_kernel(s.planes)), mirrored);
-        for (const bool bounded : {false, true})
-          for (const auto& t : splitter(k, c, bounded).all()) trees[t.operations] |= bounded;
-      }
-    }
-    const std::size_t valid = whole ? 1 : trees.size();
-    const std::uint64_t all_trees = whole ? 1 : catalan(degree - 2);
-    if (summary) {
-      const json doc = {
-          {"vertex", vertex}, {"degree", degree}, {"trees", std::to_string(all_trees)}, {"valid", valid}, {"method", whole ? "none" : "enumeration"}};
-      fmt::print("{}\n", doc.dump());
-      return;
-    }
-    std::string facets;
-    for (const plane_id f : v.facets) facets += fmt::format(" {}", f);
-    fmt::print(stderr, "vertex {}, degree {}, planes{}, {} trees, {} valid\n", vertex, degree, facets, all_trees, valid);
-    std::size_t listed = 0;
-    for (const auto& [tree, near] : trees) {
-      if (!all && ++listed > most_listed) {
-        fmt::print(stderr, "and {} more; give --all to list them\n", trees.size() - most_listed);
-        break;
-      }
-      fmt::print("{}{}\n", text_of(tree), near ? "" : " #");
-    }
-  }
-
-  static constexpr std::size_t most_listed = 10;
-  using operations = std::vector<std::pair<int, int>>;
-
-  static std::string text_of(const operations& t) {
-    std::string text;
-    for (const auto& [a, b] : t) text += fmt::format("{}<{},{}>", text.empty() ? "" : ",", a, b);
-    return text;
-  }
-};
-
 struct generate_command {
   std::string kind;
   std::string output;
@@ -354,6 +209,8 @@ int run(int argc, char** argv) {
   verification.add_to(program);
   splits_command splits;
   splits.add_to(program);
+  ambiguity_command ambiguity;
+  ambiguity.add_to(program);
   generate_command generate;
   generate.add_to(program);
   try {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "osteon/boundary.hpp"
 #include "osteon/kernel.hpp"
 #include "osteon/segment.hpp"
 
@@ -23,6 +24,14 @@ struct corner {
 
   int degree() const { return static_cast<int>(facets.size()); }
 };
+
+/// The corner of a vertex of a solid.
+inline corner corner_at(const boundary& b, int vertex) {
+  const auto& v = b.vertices[static_cast<std::size_t>(vertex)];
+  corner c{v.facets, {}};
+  for (const int e : v.edges) c.convex.push_back(b.edges[static_cast<std::size_t>(e)].convex);
+  return c;
+}
 
 /// Whether all facets lie in different planes.
 inline bool has_different_planes(const corner& c) {

@@ -237,6 +237,27 @@ inline builder cone(int k, std::uint64_t seed) {
   return pyramid(base, 500'000 + roll.between(0, 99'999));
 }
 
+/// A pyramid over a hub with n arms of five corners each, slightly irregular: every arm can be split in several ways whatever the others do, so that
+/// the number of ways to split the apex grows exponentially (thesis 3.7).
+inline builder arms(int n, std::uint64_t seed) {
+  dice roll(seed);
+  polygon base;
+  const double hub = 250'000.0 * n;
+  const auto corner = [&](int arm, double out, double across) {
+    const double radius = hub + out;
+    const auto p = on_circle(arm, n, std::hypot(radius, across), std::atan2(across, radius) * n / (2 * 3.14159265358979323846));
+    base.push_back({p[0] + roll.between(-99, 99), p[1] + roll.between(-99, 99)});
+  };
+  for (int arm = 0; arm < n; ++arm) {
+    corner(arm, 0, -500'000);
+    corner(arm, 500'000, -100'000);
+    corner(arm, 1'500'000, -10'000);
+    corner(arm, 500'000, 100'000);
+    corner(arm, 0, 500'000);
+  }
+  return pyramid(base, 1'000'000);
+}
+
 /// A star of n points with two corners of degree 2n, slightly irregular.
 inline builder star(int n, std::uint64_t seed) {
   dice roll(seed);
@@ -561,6 +582,7 @@ inline const std::vector<kind>& kinds() {
       {"saddle", "no meaning", 1, 1, [](int, std::uint64_t) { return saddle(); }},
       {"star", "points", 5, 3, [](int n, std::uint64_t s) { return star(n, s); }},
       {"cone", "degree of the apex", 8, 3, [](int n, std::uint64_t s) { return cone(n, s); }},
+      {"arms", "arms around the apex, five facets each", 4, 3, [](int n, std::uint64_t s) { return arms(n, s); }},
   };
   return all;
 }

@@ -124,4 +124,25 @@ std::optional<chosen_split> preferred_split(const K& k, const corner& c, split_p
   return found.end == search_end::none ? std::nullopt : chosen(s.tree(found.tree), proven);
 }
 
+/// One of the valid trees, each with the same chance, by rejection among candidates of split_search; the preferred one of most convex edges where a
+/// thousand of them are rejected. Where facets share a plane it is drawn from the list. Errors as for preferred_split.
+template <kernel K>
+std::optional<chosen_split> random_split(const K& k, const corner& c, std::uint64_t seed) {
+  const splitter<K> s(k, c);
+  std::mt19937_64 random(seed);
+  if (!has_different_planes(c)) {
+    std::vector<split_tree> all = s.all();
+    return all.empty() ? std::nullopt : std::optional(chosen_split{std::move(all[random() % all.size()]), true});
+  }
+  if (c.degree() <= greatest_remembered_degree) {
+    const split_search<K, edge_count> search(s.signs(), edge_count(true));
+    for (int tries = 0; tries < 1000 && search.count() > 0; ++tries) {
+      const auto diagonals = search.sample([&random](double n) { return static_cast<double>(random() >> 11U) * 0x1p-53 * n; });
+      auto t = s.tree(diagonals);
+      if (t && s.valid(*t)) return chosen_split{std::move(*t), true};
+    }
+  }
+  return preferred_split(k, c, split_preference::convex);
+}
+
 }  // namespace osteon

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <queue>
@@ -31,6 +32,8 @@ enum class saddle_rule : std::uint8_t { convex, reflex, slower, faster };
 struct options {
   split_preference prefer = split_preference::convex;
   saddle_rule saddle = saddle_rule::convex;
+  /// Where given, nothing is preferred: splits (see random_split) and outcomes of saddles are drawn, the same ones for the same number.
+  std::optional<std::uint64_t> explore = std::nullopt;
 };
 
 /// The rule that goes with a preference where none is asked for.
@@ -179,7 +182,8 @@ class propagation {
   std::optional<chosen_split> split(const boundary& b, int v) const {
     if (b.vertices[v].facets.size() == 3 || b.vertices[v].is_majority()) return chosen_split{{}, true};
     if (b.vertices[v].facets.size() > input_degrees_[v] + most_floods) return std::nullopt;
-    return preferred_split(k_, corner_at(b, b.vertices[v]), options_.prefer);
+    const corner c = corner_at(b, v);
+    return options_.explore ? random_split(k_, c, mixed(*options_.explore, v)) : preferred_split(k_, c, options_.prefer);
   }
 
   // One moving edge for each edge of the solid; one for several that become one where facets of one plane join.
@@ -201,12 +205,6 @@ class propagation {
       const auto [p, q] = std::minmax({solid_.edges[e].planes[0], solid_.edges[e].planes[1]});
       front_edge[e] = root(e) == e ? front_.add_edge({{p, q}, {-1, -1}, {false, false}, solid_.edges[e].convex}, e) : front_edge[root(e)];
     }
-  }
-
-  static corner corner_at(const boundary& b, const boundary::vertex& v) {
-    corner c{v.facets, {}};
-    for (const int e : v.edges) c.convex.push_back(b.edges[e].convex);
-    return c;
   }
 
   // A vertex of three facets, counter-clockwise, and the edges opposite them.
@@ -587,8 +585,17 @@ class propagation {
     }
   }
 
+  // A number that looks random (splitmix64).
+  static std::uint64_t mixed(std::uint64_t seed, int n) {
+    std::uint64_t z = seed * 0x9e3779b97f4a7c15U + static_cast<std::uint64_t>(n);
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31U);
+  }
+
   // At a saddle: whether the new cell becomes solid, which makes the new edge convex.
   bool choose(const neighbourhood& n) const {
+    if (options_.explore) return (mixed(*options_.explore, -1 - static_cast<int>(result_.nodes.size())) & 1U) != 0;
     if (options_.saddle == saddle_rule::convex) return true;
     if (options_.saddle == saddle_rule::reflex) return false;
     const auto edge = [&](bool fill) {

@@ -169,9 +169,11 @@ class split_search {
     return result;
   }
 
-  /// Calls visit(diagonals) for every candidate without crossing edges, diagonals ascending, until it answers true: whether it did. Order: apexes
-  /// from the side (0,k-1) down, the smaller part first, convex edges before reflex ones.
-  bool for_each(const visitor& visit) { return run(std::nullopt, false, false, std::numeric_limits<std::uint64_t>::max(), visit) == outcome::found; }
+  /// Calls visit(diagonals) for every candidate without crossing edges, diagonals ascending, until it answers true: whether all were visited, which
+  /// needs at most `most_steps`. Order: apexes from the side (0,k-1) down, the smaller part first, convex edges before reflex ones.
+  bool for_each(const visitor& visit, std::uint64_t most_steps = std::numeric_limits<std::uint64_t>::max()) {
+    return run(std::nullopt, false, false, most_steps, visit) == outcome::none;
+  }
 
   /// The best tree that is accepted, the first of for_each's order among equals. To prove it best takes exponentially many steps in the worst case,
   /// and the search gives up after a multiple of `most_steps`.

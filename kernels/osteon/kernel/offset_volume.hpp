@@ -19,17 +19,26 @@
 
 namespace osteon {
 
+/// The speeds of planes, rounded down to multiples of 2^-128.
+inline std::vector<rational> rounded_speeds(std::span<const moving_plane<integer>> planes) {
+  std::vector<rational> speeds;
+  for (const auto& p : planes) {
+    const integer squared = (p.n[0] * p.n[0] + p.n[1] * p.n[1] + p.n[2] * p.n[2]) * p.weight * p.weight;
+    speeds.emplace_back(isqrt(squared << 256U), integer(1) << 128U);
+  }
+  return speeds;
+}
+
 /// Answers for one skeleton. The volume is a sum over the vertices alive at the time (Lawrence 1991; a corner is a
 /// signed sum of products of half-spaces, see local::product_weight).
 class rational_offsets {
  public:
-  /// Throws unsupported_error where a speed is irrational.
-  rational_offsets(std::span<const moving_plane<integer>> planes, const skeleton& s) : planes_(planes), s_(s) {
-    for (const auto& p : planes) {
-      const integer squared = p.n[0] * p.n[0] + p.n[1] * p.n[1] + p.n[2] * p.n[2];
-      if (!is_square(squared)) throw unsupported_error("exact offset volumes need rational speeds");
-      speeds_.push_back(isqrt(squared) * p.weight);
-    }
+  /// Exact. Throws unsupported_error where a speed is irrational.
+  rational_offsets(std::span<const moving_plane<integer>> planes, const skeleton& s) : rational_offsets(planes, s, exact_speeds(planes)) {}
+
+  /// With given speeds: as exact as they are.
+  rational_offsets(std::span<const moving_plane<integer>> planes, const skeleton& s, std::vector<rational> speeds)
+      : planes_(planes), s_(s), speeds_(std::move(speeds)) {
     for (const auto& n : s.nodes) times_.push_back(n.vertex >= 0 ? rational(0) : time(n.planes));
   }
 
@@ -45,6 +54,16 @@ class rational_offsets {
  private:
   using vector = std::array<integer, 3>;
 
+  static std::vector<rational> exact_speeds(std::span<const moving_plane<integer>> planes) {
+    std::vector<rational> speeds;
+    for (const auto& p : planes) {
+      const integer squared = p.n[0] * p.n[0] + p.n[1] * p.n[1] + p.n[2] * p.n[2];
+      if (!is_square(squared)) throw unsupported_error("exact offset volumes need rational speeds");
+      speeds.emplace_back(isqrt(squared) * p.weight);
+    }
+    return speeds;
+  }
+
   static vector direction(int attempt) {
     const auto u = perturbation::of(-2 - attempt).u;
     return {u[0], u[1], u[2]};
@@ -58,13 +77,13 @@ class rational_offsets {
     const auto minor = [&](int a, int b, int c) { return det(planes_[q[a]].n, planes_[q[b]].n, planes_[q[c]].n); };
     const std::array<integer, 4> lambda = {-minor(1, 2, 3), minor(0, 2, 3), -minor(0, 1, 3), minor(0, 1, 2)};
     integer d = 0;
-    integer s = 0;
+    rational s = 0;
     for (int r = 0; r < 4; ++r) {
       d += lambda[r] * planes_[q[r]].d;
       s += lambda[r] * speeds_[q[r]];
     }
     if (s == 0) throw invariant_error("internal invariant violated: the planes of an event meet in the limit");
-    return rational(d, s);
+    return d / s;
   }
 
   // With c = (ma na + mb nb + mc nc) / det and c . v = (ma da + mb db + mc dc) / det, the term is
@@ -77,7 +96,7 @@ class rational_offsets {
       std::array<rational, 3> h;
       for (int r = 0; r < 3; ++r) {
         n[r] = planes_[a.planes[r]].n;
-        h[r] = planes_[a.planes[r]].d - t * rational(speeds_[a.planes[r]]);
+        h[r] = planes_[a.planes[r]].d - t * speeds_[a.planes[r]];
       }
       const integer whole = det(n[0], n[1], n[2]);
       if (whole == 0) throw invariant_error("internal invariant violated: a vertex that lives for some time is a point");
@@ -92,7 +111,7 @@ class rational_offsets {
 
   std::span<const moving_plane<integer>> planes_;
   const skeleton& s_;
-  std::vector<integer> speeds_;
+  std::vector<rational> speeds_;
   std::vector<rational> times_;
 };
 

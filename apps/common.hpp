@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// What several commands of the program share: reading a model, naming options, choosing a kernel, writing a file.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "osteon/contract.hpp"
+#include "osteon/kernel/double.hpp"
+#include "osteon/kernel/filtered.hpp"
+#include "osteon/kernel/perturbed.hpp"
+#include "osteon/kernel/rational.hpp"
+#include "osteon/kernel/sqrt.hpp"
+#include "osteon/obj.hpp"
+#include "osteon/propagate.hpp"
+#include "osteon/solid.hpp"
+
+namespace osteon::app {
+
+inline const std::map<std::string, split_preference> preferences = {{"convex", split_preference::convex},
+                                                                    {"reflex", split_preference::reflex},
+                                                                    {"min-volume", split_preference::min_volume},
+                                                                    {"max-volume", split_preference::max_volume}};
+inline const std::map<std::string, saddle_rule> saddles = {
+    {"convex", saddle_rule::convex}, {"reflex", saddle_rule::reflex}, {"slower", saddle_rule::slower}, {"faster", saddle_rule::faster}};
+
+inline std::string name_of(saddle_rule rule) {
+  return std::find_if(saddles.begin(), saddles.end(), [rule](const auto& s) { return s.second == rule; })->first;
+}
+
+template <class Value>
+std::vector<std::string> names(const std::map<std::string, Value>& of) {
+  std::vector<std::string> result;
+  for (const auto& [name, value] : of) result.push_back(name);
+  return result;
+}
+
+/// A file with the repairs that the user asked for.
+struct model {
+  std::string file;
+  bool flip = false;
+  bool triangulate = false;
+
+  void add_to(CLI::App& command) {
+    command.add_option("FILE", file, "a closed polyhedron as Wavefront OBJ; - for standard input")->required();
+    command.add_flag("--flip", flip, "reverse all facets, for a model whose normals point inwards");
+    command.add_flag("--triangulate", triangulate, "cut facets that are not planar into triangles");
+  }
+
+  solid<integer> read() const {
+    mesh<integer> m = [&] {
+      if (file == "-") return read_obj<integer>(std::cin, "standard input");
+      std::ifstream in(file, std::ios::binary);
+      if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
+      return read_obj<integer>(in, file);
+    }();
+    if (flip) solid_builder<integer>::flip(m);
+    if (triangulate) solid_builder<integer>::triangulate(m);
+    return make_solid(std::move(m));
+  }
+};
+
+/// A raw skeleton and, where the kernel is exact, the contracted one.
+struct both_skeletons {
+  skeleton raw;
+  std::optional<contracted_skeleton> exact;
+};
+
+template <kernel K>
+both_skeletons compute(const perturbed<K>& k, const boundary& b, const options& o) {
+  both_skeletons result{straight_skeleton(k, b, o), std::nullopt};
+  result.exact = contract(k.base(), b, result.raw);
+  return result;
+}
+
+inline both_skeletons compute(const double_kernel& k, const boundary& b, const options& o) { return {straight_skeleton(k, b, o), std::nullopt}; }
+
+/// Calls body with the named kernel. The exact ones are filtered and perturbed, so that no input is degenerate.
+template <class Body>
+auto with_kernel(const std::string& name, std::span<const moving_plane<integer>> planes, Body body) {
+  if (name == "double") return body(make_double_kernel(planes));
+  if (name == "rational") return body(perturbed(filtered(planes, make_rational_kernel(planes))));
+  return body(perturbed(filtered(planes, make_sqrt_kernel(planes))));
+}
+
+/// Writes to a new file first, so that nothing is lost when that fails.
+inline void write_file(const std::string& name, const std::string& text) {
+  const std::string fresh = name + ".part";
+  {
+    std::ofstream out(fresh, std::ios::binary);
+    out << text;
+    out.flush();
+    if (!out) throw input_error(input_fault::unreadable, 0, name + ": cannot be written", "check the folder and the space on the disk");
+  }
+  std::filesystem::rename(fresh, name);
+}
+
+/// The kernel that commands use which do not ask for one.
+inline auto default_kernel(const solid<integer>& s) {
+  return perturbed(filtered(std::span<const moving_plane<integer>>(s.planes), make_sqrt_kernel(s.planes)));
+}
+
+/// The number of a solid's vertex at a point, counted from 1, of the file.
+inline int vertex_at(const solid<integer>& s, const std::string& file, int point) {
+  const auto found = std::find(s.input_points.begin(), s.input_points.end(), point - 1);
+  if (found == s.input_points.end())
+    throw input_error(input_fault::bad_index, static_cast<std::size_t>(std::max(point, 0)),
+                      fmt::format("{}: point {} is no vertex of the solid", file, point), "name a point where at least three planes meet");
+  return static_cast<int>(found - s.input_points.begin());
+}
+
+}  // namespace osteon::app

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// osteon splits: the ways to split one vertex.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <random>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common.hpp"
+#include "documents.hpp"
+#include "osteon/ambiguity.hpp"
+#include "osteon/split.hpp"
+#include "osteon/split_search.hpp"
+
+namespace osteon::app {
+
+struct splits_command {
+  model input;
+  int vertex = 0;
+  bool all = false;
+  bool summary = false;
+  bool count = false;
+  int sample = 0;
+  std::uint64_t seed = 1;
+
+  void add_to(CLI::App& program) {
+    CLI::App* c = program.add_subcommand("splits", "list, count or draw the ways to split a vertex into vertices of degree three");
+    input.add_to(*c);
+    c->add_option("--vertex", vertex, "the point's number in the file, from 1")->required();
+    auto* a = c->add_flag("--all", all, "list every valid tree as it is found, not only the first ten");
+    auto* s = c->add_flag("--summary", summary, "list nothing, print one JSON object with the number of valid trees");
+    auto* n = c->add_flag("--count", count, "the same without listing: \"exact\" tells whether there are more");
+    auto* d = c->add_option("--sample", sample, "draw that many candidates, each with the same chance")->check(CLI::Range(1, 1'000'000));
+    c->add_option("--seed", seed, "for --sample")->capture_default_str();
+    for (auto* one : {a, s, n, static_cast<CLI::Option*>(d)})
+      for (auto* other : {a, s, n, static_cast<CLI::Option*>(d)})
+        if (one != other) one->excludes(other);
+    c->footer(
+        "A tree is a list of split operations <a,b>: the facets a and b of the vertex, counted from 0 counter-clockwise\n"
+        "seen from outside, become adjacent. `#` after a tree: one of its vertices lies infinitely far away on an edge\n"
+        "of the solid, so that the tree splits the corner but not the solid. Candidates are the trees that obey the\n"
+        "rules of single vertices and edges; `!` after a candidate: two edges of a facet cross, so it is not valid.\n"
+        "Examples:\n  osteon splits seastar.obj --vertex 12 --all\n  osteon splits cone.obj --vertex 1 --sample 5 --seed 7");
+    c->callback([this] { run(); });
+  }
+
+ private:
+  using operations = searched_split::diagonals;
+  static constexpr std::size_t most_listed = 10;
+
+  static std::string text_of(const operations& t) {
+    std::string text;
+    for (const auto& [a, b] : t) text += fmt::format("{}<{},{}>", text.empty() ? "" : ",", a, b);
+    return text;
+  }
+
+  // Catalan(degree - 2).
+  static integer trees_of(int degree) {
+    integer c = 1;
+    for (int i = 0; i < degree - 2; ++i) c = c * 2 * (2 * i + 1) / (i + 2);
+    return c;
+  }
+
+  static bool listed(const corner& c) { return c.degree() <= greatest_split_degree || !has_different_planes(c); }
+
+  template <class K, class Body>
+  static auto search_of(const K& k, const corner& c, Body body) {
+    if (c.degree() > greatest_remembered_degree)
+      throw unsupported_error(fmt::format("not yet: the trees of a vertex of degree {} (at most {})", c.degree(), greatest_remembered_degree));
+    const corner_signs<K> signs(k, c);
+    split_search<K, edge_count, integer> search(signs, edge_count(true));
+    return body(search);
+  }
+
+  // Calls visit(tree, near) for every valid tree until it answers true. Up to degree greatest_split_degree in the thesis's order, with those of
+  // both perturbations and with vertices at infinity.
+  template <class Visit>
+  static void for_each_tree(const solid<integer>& s, const corner& c, Visit visit) {
+    if (!listed(c)) {
+      search_of(default_kernel(s), c, [&](auto& search) { return search.for_each([&](const operations& t) { return visit(t, true); }); });
+      return;
+    }
+    std::map<operations, bool> trees;  // whether all vertices stay near
+    for (const bool mirrored : {false, true}) {
+      const perturbed k(filtered(std::span<const moving_plane<integer>>(s.planes), make_sqrt_kernel(s.planes)), mirrored);
+      for (const bool bounded : {false, true})
+        for (const auto& t : splitter(k, c, bounded).all()) trees[t.operations] |= bounded;
+    }
+    for (const auto& [tree, near] : trees)
+      if (visit(tree, near)) return;
+  }
+
+  void list(const solid<integer>& s, const corner& c) const {
+    std::size_t found = 0;
+    for_each_tree(s, c, [&](const operations& t, bool near) {
+      if (!all && found == most_listed) {
+        fmt::print(stderr, "and more; give --all to list them\n");
+        return true;
+      }
+      ++found;
+      fmt::print("{}{}\n", text_of(t), near ? "" : " #");
+      return false;
+    });
+    if (all || found < most_listed) fmt::print(stderr, "{} valid\n", found);
+  }
+
+  void draw(const solid<integer>& s, const corner& c) const {
+    if (!has_different_planes(c))
+      throw unsupported_error("not yet: candidates of a vertex with several facets in one plane; cure: list them with --all");
+    const auto k = default_kernel(s);
+    const splitter trees(k, c);
+    std::mt19937_64 random(seed);
+    search_of(k, c, [&](const auto& search) {
+      if (search.count() == 0) return false;
+      for (int n = 0; n < sample; ++n) {
+        const operations t = search.sample([&random](const integer& below) {
+          for (;;) {  // as many bits as needed, and again where they are too many
+            integer drawn = 0;
+            for (unsigned bits = 0; bits <= msb(below); bits += 64) drawn = (drawn << 64U) + random();
+            drawn >>= (msb(below) / 64 + 1) * 64 - (msb(below) + 1);
+            if (drawn < below) return drawn;
+          }
+        });
+        const auto tree = trees.tree(t);
+        fmt::print("{}{}\n", text_of(t), tree && trees.valid(*tree) ? "" : " !");
+      }
+      return true;
+    });
+  }
+
+ public:
+  void run() const {
+    const solid<integer> s = input.read();
+    const int id = vertex_at(s, input.file, vertex);
+    const corner c = corner_at(s.boundary, id);
+    const bool whole = c.degree() == 3 || s.boundary.vertices[static_cast<std::size_t>(id)].is_majority();  // never splits
+    json doc = {{"vertex", vertex}, {"degree", c.degree()}, {"trees", whole ? "1" : trees_of(c.degree()).str()}};
+    if (summary) {
+      std::uint64_t valid = 0;
+      if (!whole) for_each_tree(s, c, [&valid](const operations&, bool) { return ++valid == 0; });
+      doc["valid"] = whole ? 1 : valid;
+      doc["method"] = whole ? "none" : (listed(c) ? "enumeration" : "search");
+      fmt::print("{}\n", doc.dump());
+    } else if (count) {
+      const auto k = default_kernel(s);
+      const split_count counted = count_splits(k, s.boundary, id);
+      integer valid = 1;
+      for (const std::uint64_t f : counted.factors) valid *= f;
+      if (!whole && has_different_planes(c)) doc["candidates"] = search_of(k, c, [](const auto& found) { return found.count().str(); });
+      doc["valid"] = valid.str();
+      doc["exact"] = counted.exact;
+      fmt::print("{}\n", doc.dump());
+    } else {
+      std::string facets;
+      for (const plane_id f : c.facets) facets += fmt::format(" {}", f);
+      fmt::print(stderr, "vertex {}, degree {}, planes{}, {} trees\n", vertex, c.degree(), facets, doc["trees"].get<std::string>());
+      if (whole) return;
+      if (sample > 0)
+        draw(s, c);
+      else
+        list(s, c);
+    }
+  }
+};
+
+}  // namespace osteon::app
