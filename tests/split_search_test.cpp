@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "corners.hpp"
 #include "osteon/models.hpp"
 #include "osteon/preferred_split.hpp"
 #include "osteon/verify.hpp"
@@ -26,73 +27,6 @@ namespace osteon::test {
 namespace {
 
 using diagonals = std::vector<std::pair<int, int>>;
-
-struct random_corner {
-  std::vector<moving_plane<integer>> planes;
-  corner of;
-};
-
-// The vertex of a terrain over k sectors: convex, reflex or mixed, pointed or not. Nothing where two neighbours are coplanar.
-std::optional<random_corner> make_corner(int k, std::uint64_t seed) {
-  models::dice roll(seed);
-  const long steep = std::array<long, 4>{300, 900, 3000, 12000}[static_cast<std::size_t>(roll.between(0, 3))];
-  using direction = std::array<integer, 3>;
-  std::vector<direction> rays;
-  for (int i = 0; i < k; ++i) {
-    const double angle = 2 * std::numbers::pi * (i + 0.8 * static_cast<double>(roll.between(0, 1000)) / 1000) / k;
-    const double length = 1000 + 2.0 * static_cast<double>(roll.between(0, 1000));
-    rays.push_back(
-        {integer(std::lround(length * std::cos(angle))), integer(std::lround(length * std::sin(angle))), integer(roll.between(-steep, steep))});
-  }
-  const auto across = [](const direction& x, const direction& y) {
-    return direction{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
-  };
-  random_corner c;
-  for (int i = 0; i < k; ++i) {
-    c.planes.push_back({across(rays[i], rays[(i + 1) % k]), integer(0)});
-    c.of.facets.push_back(i);
-  }
-  for (int i = 0; i < k; ++i) {
-    const direction bend = across(c.planes[i].n, c.planes[(i + 1) % k].n);
-    const direction& ray = rays[(i + 1) % k];
-    const integer s = bend[0] * ray[0] + bend[1] * ray[1] + bend[2] * ray[2];
-    if (s == 0) return std::nullopt;
-    c.of.convex.push_back(s < 0);
-  }
-  return c;
-}
-
-// The apex of a pyramid over k points of a parabola and a chord.
-random_corner make_convex_corner(int k, std::uint64_t seed) {
-  models::dice roll(seed);
-  std::vector<long> at;
-  for (long x = 0; static_cast<int>(at.size()) < k; x += roll.between(1, 5)) at.push_back(x);
-  random_corner c;
-  const long height = roll.between(1, 9) * at.back() * at.back() / 4 + 1;
-  const auto ray = [&](int i) {
-    const long x = at[static_cast<std::size_t>(i % k)] * 2 - at.back();
-    return std::array<integer, 3>{integer(x), integer(x) * x - integer(at.back()) * at.back() / 2, integer(-height)};
-  };
-  for (int i = 0; i < k; ++i) {
-    const auto x = ray(i);
-    const auto y = ray(i + 1);
-    c.planes.push_back({{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]}, integer(0)});
-    c.of.facets.push_back(i);
-    c.of.convex.push_back(true);
-  }
-  return c;
-}
-
-// The same surface with the solid on its other side.
-random_corner complement(const random_corner& c) {
-  random_corner result;
-  for (auto p = c.planes.rbegin(); p != c.planes.rend(); ++p) {
-    result.planes.push_back({{-p->n[0], -p->n[1], -p->n[2]}, integer(0)});
-    result.of.facets.push_back(static_cast<int>(result.of.facets.size()));
-    result.of.convex.push_back(false);
-  }
-  return result;
-}
 
 auto kernel_of(const random_corner& c) { return perturbed(filtered(std::span<const moving_plane<integer>>(c.planes), make_sqrt_kernel(c.planes))); }
 
