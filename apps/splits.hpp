@@ -19,6 +19,7 @@
 #include "common.hpp"
 #include "documents.hpp"
 #include "osteon/ambiguity.hpp"
+#include "osteon/kernel/spherical.hpp"
 #include "osteon/split.hpp"
 #include "osteon/split_search.hpp"
 
@@ -32,6 +33,9 @@ struct splits_command {
   bool count = false;
   int sample = 0;
   std::uint64_t seed = 1;
+  bool spherical = false;
+  std::string prefer = "convex";
+  std::vector<double> eye;
 
   void add_to(CLI::App& program) {
     CLI::App* c = program.add_subcommand("splits", "list, count or draw the ways to split a vertex into vertices of degree three");
@@ -42,8 +46,12 @@ struct splits_command {
     auto* n = c->add_flag("--count", count, "the same without listing: \"exact\" tells whether there are more");
     auto* d = c->add_option("--sample", sample, "draw that many candidates, each with the same chance")->check(CLI::Range(1, 1'000'000));
     c->add_option("--seed", seed, "for --sample")->capture_default_str();
-    for (auto* one : {a, s, n, static_cast<CLI::Option*>(d)})
-      for (auto* other : {a, s, n, static_cast<CLI::Option*>(d)})
+    auto* p = c->add_flag("--spherical", spherical, "print the preferred split's spherical skeleton as JSON, arcs cut into front and back parts");
+    c->add_option("--prefer", prefer, "for --spherical")->check(CLI::IsMember(names(preferences)))->capture_default_str();
+    c->add_option("--eye", eye, "for --spherical: the direction (three numbers) from which it is seen; outside, where it is missing")->expected(3);
+    const std::vector<CLI::Option*> modes = {a, s, n, d, p};
+    for (auto* one : modes)
+      for (auto* other : modes)
         if (one != other) one->excludes(other);
     c->footer(
         "A tree is a list of split operations <a,b>: the facets a and b of the vertex, counted from 0 counter-clockwise\n"
@@ -138,6 +146,28 @@ struct splits_command {
     });
   }
 
+  void draw_sphere(const solid<integer>& s, const corner& c) const {
+    const auto t = preferred_split(default_kernel(s), c, preferences.at(prefer));
+    if (!t || t->tree.vertices.size() + 2 != c.facets.size())
+      throw unsupported_error("not yet: the spherical skeleton of a vertex with several facets in one plane; cure: list its splits with --all");
+    const spherical_skeleton sphere = make_spherical_skeleton(s.planes, c, t->tree);
+    spherical_skeleton::vector from{};
+    for (std::size_t x = 0; x < 3; ++x) {
+      if (!eye.empty())
+        from[x] = eye[x];
+      else
+        for (std::size_t m = 0; m < c.facets.size(); ++m) from[x] -= sphere.nodes[m][x];  // against the edges, from where the vertex points to
+    }
+    json doc = {{"vertex", vertex}, {"eye", from}, {"planes", c.facets}, {"nodes", sphere.nodes}, {"arcs", json::array()}};
+    for (const auto& a : sphere.arcs) {
+      json arc = {{"facets", a.facets}, {"nodes", a.nodes}, {"parts", json::array()}};
+      if (a.facets[1] >= 0) arc["convex"] = a.convex;
+      for (const auto& part : parts_of(a, from)) arc["parts"].push_back({{"front", part.front}, {"points", part.points}});
+      doc["arcs"].push_back(std::move(arc));
+    }
+    fmt::print("{}\n", doc.dump());
+  }
+
  public:
   void run() const {
     const solid<integer> s = input.read();
@@ -165,7 +195,9 @@ struct splits_command {
       for (const plane_id f : c.facets) facets += fmt::format(" {}", f);
       fmt::print(stderr, "vertex {}, degree {}, planes{}, {} trees\n", vertex, c.degree(), facets, doc["trees"].get<std::string>());
       if (whole) return;
-      if (sample > 0)
+      if (spherical)
+        draw_sphere(s, c);
+      else if (sample > 0)
         draw(s, c);
       else
         list(s, c);

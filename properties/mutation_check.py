@@ -18,9 +18,9 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-CATALOGUE, VERIFY, KERNEL, VOXEL, DEGENERATE, ROOTS, SOLID = (
+CATALOGUE, VERIFY, KERNEL, VOXEL, DEGENERATE, ROOTS, SOLID, SEARCH = (
     ("catalogue_test", "*"), ("verify_test", "Certificate.OfEvery*:Certificate.OfTheThesis*:Corrupted*"), ("kernel_test", "*"), ("voxel_test", "*"),
-    ("degenerate_test", "*"), ("square_classes_test", "*"), ("regression_test", "*"))
+    ("degenerate_test", "*"), ("square_classes_test", "*"), ("regression_test", "*"), ("split_search_test", "*"))
 INCLUDE, KERNELS = "include/osteon/", "kernels/osteon/kernel/"
 
 # name, file, what is there, what is put in its place, the programs that should notice
@@ -50,8 +50,16 @@ FAULTS = [
     ("every tree is valid", INCLUDE + "split.hpp", "if (pierces(e, p, facet)) return false;", "if (pierces(e, p, facet)) break;", [VERIFY]),
     ("the local rule is turned round", INCLUDE + "split.hpp", "if (up != (inside == 0 || inside == 3)) return false;",
      "if (up == (inside == 0 || inside == 3)) return false;", [VERIFY]),
-    ("new edges have the other bend", INCLUDE + "split.hpp", "e.convex = positive(t.vertices[v]) == (side(third", "e.convex = positive(t.vertices[v]) != (side(third",
+    ("new edges have the other bend", INCLUDE + "split.hpp", "e.convex = positive(t.vertices[v]) == (signs_.side(third", "e.convex = positive(t.vertices[v]) != (signs_.side(third",
      [VERIFY]),
+    ("borders may turn round", INCLUDE + "split_search.hpp", "wraps(m, j, i, right.convex, left.convex) != whole_turns(m)) return std::nullopt;",
+     "wraps(m, j, i, right.convex, left.convex) > whole_turns(m) + 9) return std::nullopt;", [SEARCH]),
+    ("convex edges need not follow each other", INCLUDE + "split_search.hpp", "return x == 0 || y == 0 || (x == 1 && y == 1);", "return x >= 0 || y >= 0;", [SEARCH]),
+    ("the search jumps back too far", INCLUDE + "split_search.hpp", "if (t.level >= 0) blame[t.level] = true;", "", [SEARCH]),
+    ("edges of a facet may cross", INCLUDE + "corner.hpp", "(x.convex == positive(f, x.other, end))) return false;", "(x.convex == positive(f, x.other, end))) return true;",
+     [SEARCH]),
+    ("a convex corner is split anyhow", INCLUDE + "preferred_split.hpp", "if (across == apex.end() || !cuts(f, a, b, across->second)) {",
+     "if (across == apex.end() || cuts(f, a, b, across->second)) {", [SEARCH]),
     ("nodes of one place stay apart", INCLUDE + "contract.hpp", "if (on_planes(p, places_[q].corner)) found = static_cast<int>(q);", "", [DEGENERATE]),
     ("arcs run through places", INCLUDE + "contract.hpp", "for (const int p : between(a.planes, from, to)) stops.push_back(p);", "", [DEGENERATE]),
     ("a minor has the wrong sign", KERNELS + "forms.hpp", "return {-minor(m, q[1], q[2], q[3]), minor(m, q[0], q[2], q[3])",

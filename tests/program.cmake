@@ -40,6 +40,7 @@ expect(0 "{\"vertex\":3,\"degree\":20,\"trees\":\"477638700\",\"candidates\":\"[
 expect(0 "\"valid\":1296,\"method\":\"search\"" splits ${WORK}/arms.obj --vertex 3 --summary)
 expect(0 "<[0-9]+,[0-9]+>.*\nand more" splits ${WORK}/arms.obj --vertex 3)
 expect(0 "<[0-9]+,[0-9]+>" splits ${WORK}/arms.obj --vertex 3 --sample 2 --seed 7)
+expect(0 "\"arcs\":.{\"facets\":.0,-1.,\"nodes\":.19,0.,\"parts\":.*\"front\":true.*\"convex\":" splits ${WORK}/arms.obj --vertex 3 --spherical)
 expect(2 "excludes" splits ${WORK}/arms.obj --vertex 3 --sample 2 --all)
 expect(0 "\"vertex\":3,\"degree\":20,\"valid\":\"1296\",\"exact\":true.*\"splits\":\"1296\",\"exact\":true,\"saddles\":[0-9]+" ambiguity ${WORK}/arms.obj)
 expect(0 "seed\tnodes\tarcs\tsheets\tevents\tsaddles\tvolume@1000\n1\t" ambiguity ${WORK}/arms.obj --explore 3 --offset 1000)
