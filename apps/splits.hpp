@@ -48,7 +48,8 @@ struct splits_command {
     c->add_option("--seed", seed, "for --sample")->capture_default_str();
     auto* p = c->add_flag("--spherical", spherical, "print the preferred split's spherical skeleton as JSON, arcs cut into front and back parts");
     c->add_option("--prefer", prefer, "for --spherical")->check(CLI::IsMember(names(preferences)))->capture_default_str();
-    c->add_option("--eye", eye, "for --spherical: the direction (three numbers) from which it is seen; outside, where it is missing")->expected(3);
+    c->add_option("--eye", eye, "for --spherical: the direction (three numbers) from which it is seen; the sum of the edges where it is missing")
+        ->expected(3);
     const std::vector<CLI::Option*> modes = {a, s, n, d, p};
     for (auto* one : modes)
       for (auto* other : modes)
@@ -156,7 +157,7 @@ struct splits_command {
       if (!eye.empty())
         from[x] = eye[x];
       else
-        for (std::size_t m = 0; m < c.facets.size(); ++m) from[x] -= sphere.nodes[m][x];  // against the edges, from where the vertex points to
+        for (std::size_t m = 0; m < c.facets.size(); ++m) from[x] += sphere.nodes[m][x];
     }
     json doc = {{"vertex", vertex}, {"eye", from}, {"planes", c.facets}, {"nodes", sphere.nodes}, {"arcs", json::array()}};
     for (const auto& a : sphere.arcs) {
