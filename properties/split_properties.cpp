@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -17,7 +19,9 @@
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/sqrt.hpp"
+#include "osteon/preferred_split.hpp"
 #include "osteon/split.hpp"
+#include "osteon/split_search.hpp"
 
 namespace osteon::properties {
 namespace {
@@ -262,6 +266,16 @@ std::vector<triple> planes_of(const corner& c, const split_tree& t) {
 }
 
 template <kernel K>
+std::optional<split_tree> searched_best(const splitter<K>& split, split_preference prefer) {
+  const auto accepts = [&split](const diagonals& d) { return split.valid(*split.tree(d)); };
+  const bool counts = prefer == split_preference::convex || prefer == split_preference::reflex;
+  const bool greatest = prefer == split_preference::max_volume;
+  const searched_split found = counts ? split_search<K, edge_count>(split.signs(), edge_count(prefer == split_preference::convex)).best(accepts)
+                                      : split_search<K, offset_volume<K>>(split.signs(), offset_volume<K>(split.signs(), greatest)).best(accepts);
+  return found.end == search_end::best ? split.tree(found.tree) : std::nullopt;
+}
+
+template <kernel K>
 std::string corner_laws(const K& k, const corner& c, std::vector<diagonals>& valid) {
   const splitter<K> split(k, c);
   const auto candidates = split.candidates();
@@ -275,9 +289,27 @@ std::string corner_laws(const K& k, const corner& c, std::vector<diagonals>& val
     return "valid trees are among those that obey the local rule";
   const auto convex_edges = std::count(c.convex.begin(), c.convex.end(), true);
   if ((convex_edges == c.degree() || convex_edges == 0) && valid.size() != 1) return "a convex or reflex corner has one valid split";
+  if (convex_edges == c.degree() || convex_edges == 0)
+    if (only_split(k, c) != valid.front()) return "the fast way to split a convex or reflex corner finds its valid split";
+  split_search<K, edge_count, std::uint64_t> search(split.signs(), edge_count(true));
+  std::vector<diagonals> searched;
+  search.for_each([&searched](const diagonals& d) {
+    searched.push_back(d);
+    return false;
+  });
+  std::sort(searched.begin(), searched.end());
+  if (searched != valid) return "the search over intervals finds the valid splits";
+  if (search.count() < valid.size() || search.count() > candidates.size()) return "valid splits are among the search's candidates, these among all";
   using enum split_preference;
   for (const auto prefer : {convex, reflex, min_volume, max_volume}) {
     const auto best = split.best(prefer);
+    if (const auto other = searched_best(split, prefer)) {
+      const sign volumes = k.compare_volume(planes_of(c, *other), planes_of(c, *best));
+      if (prefer == convex || prefer == reflex ? other->convex_edges() != best->convex_edges() : volumes != sign::zero)
+        return "the search finds a split as good as the preferred one";
+    } else {
+      return "the search finds a split";
+    }
     if (!best || !std::binary_search(valid.begin(), valid.end(), best->operations)) return "the preferred split is valid";
     for (const split_tree& t : all) {
       const bool better = prefer == convex       ? t.convex_edges() > best->convex_edges()
@@ -288,12 +320,6 @@ std::string corner_laws(const K& k, const corner& c, std::vector<diagonals>& val
     }
   }
   return "";
-}
-
-corner corner_of(const boundary& b, const boundary::vertex& v) {
-  corner c{v.facets, {}};
-  for (const int e : v.edges) c.convex.push_back(b.edges[e].convex);
-  return c;
 }
 
 template <class Visit>
@@ -318,7 +344,7 @@ RC_GTEST_PROP(splits, are_trees_and_some_are_valid, ()) {
   const perturbed fast_rational(filtered(span, make_rational_kernel(planes)));
   const perturbed slow_rational(make_rational_kernel(planes));
   for_each_high_vertex(*s.solid, greatest_degree, [&](int v) {
-    const corner c = corner_of(s.solid->boundary, s.solid->boundary.vertices[v]);
+    const corner c = corner_at(s.solid->boundary, v);
     std::array<std::vector<diagonals>, exact_kernels> valid;
     require("perturbed<filtered<sqrt>>", [&] { return corner_laws(fast, c, valid[0]); });
     require("perturbed<sqrt>", [&] { return corner_laws(slow, c, valid[1]); });
@@ -333,7 +359,7 @@ RC_GTEST_PROP(splits, valid_trees_are_those_without_self_intersection, ()) {
   RC_TAG(s.kind);
   const perturbed k(make_rational_kernel(s.solid->planes));
   for_each_high_vertex(*s.solid, 7, [&](int v) {
-    const corner c = corner_of(s.solid->boundary, s.solid->boundary.vertices[v]);
+    const corner c = corner_at(s.solid->boundary, v);
     require("perturbed<rational>", [&]() -> std::string {
       const auto found = names(splitter(k, c).all());
       const auto truth = valid_by_brute_force(exact_corner_at(*s.solid, v));
