@@ -207,22 +207,32 @@ class skeleton_reader {
   }
 
   void read_raw(const json& doc, skeleton& s) const {
-    std::map<int, int> vertex_of;  // by point of the input
-    for (std::size_t v = 0; v < of_.input_points.size(); ++v) vertex_of[of_.input_points[v] + 1] = static_cast<int>(v);
-    std::map<std::pair<int, int>, int> edge_of;
+    std::multimap<int, int> vertices_at;  // by point of the input; several where fans of facets touch
+    for (std::size_t v = 0; v < of_.input_points.size(); ++v) vertices_at.emplace(of_.input_points[v] + 1, static_cast<int>(v));
+    std::map<std::pair<int, int>, int> edge_of;  // by points
     for (std::size_t e = 0; e < of_.boundary.edges.size(); ++e) {
       const auto& ends = of_.boundary.edges[e].ends;
-      edge_of[std::minmax({ends[0], ends[1]})] = static_cast<int>(e);
+      edge_of[std::minmax({of_.input_points[static_cast<std::size_t>(ends[0])] + 1, of_.input_points[static_cast<std::size_t>(ends[1])] + 1})] =
+          static_cast<int>(e);
     }
     // A number that no vertex or edge has: the certificate refutes it.
     const int none = std::numeric_limits<int>::max();
-    const auto vertex = [&](int point) { return vertex_of.contains(point) ? vertex_of[point] : none; };
+    const auto vertex = [&](int point, const std::array<int, 3>& planes) {
+      const auto [first, last] = vertices_at.equal_range(point);
+      const auto exact = std::find_if(first, last, [&](const auto& v) {
+        const auto& f = of_.boundary.vertices[static_cast<std::size_t>(v.second)].facets;
+        std::array<int, 3> some = {f[0], f[1], f[2]};
+        std::sort(some.begin(), some.end());
+        return some == planes;
+      });
+      return exact != last ? exact->second : first != last ? first->second : none;
+    };
 
     for_each(doc, "nodes", [&](const json& n, const std::string& at) {
       skeleton::node node{-1, {-1, -1, -1, -1}, event_class::other, false, list(n, "arcs", at)};
       if (n.contains("vertex")) {
-        node.vertex = vertex(whole(n, "vertex", at));
         const auto planes = tuple<3>(n, "planes", at);
+        node.vertex = vertex(whole(n, "vertex", at), planes);
         node.planes = {planes[0], planes[1], planes[2], -1};
       } else {
         node.planes = tuple<4>(n, "planes", at);
@@ -244,7 +254,7 @@ class skeleton_reader {
       int edge = -1;
       if (t.contains("edge")) {
         const auto points = tuple<2>(t, "edge", at);
-        const auto found = edge_of.find(std::minmax({vertex(points[0]), vertex(points[1])}));
+        const auto found = edge_of.find(std::minmax({points[0], points[1]}));
         edge = found == edge_of.end() ? none : found->second;
       }
       s.sheets.push_back({tuple<2>(t, "facets", at), edge, whole(t, "polygon", at), list(t, "arcs", at)});

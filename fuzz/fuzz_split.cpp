@@ -23,7 +23,9 @@
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/rational.hpp"
 #include "osteon/kernel/sqrt.hpp"
+#include "osteon/preferred_split.hpp"
 #include "osteon/split.hpp"
+#include "osteon/split_search.hpp"
 #include "split_oracle.hpp"
 
 namespace osteon::fuzz {
@@ -208,6 +210,20 @@ std::size_t check(const K& k, const cone& c) {
   for (const auto& t : all) require(s.valid(t) && lists.contains(t.operations), "all trees are valid candidates");
   if (std::all_of(c.corner.convex.begin(), c.corner.convex.end(), [](bool b) { return b; }) && !c.collinear)
     require(all.size() == 1, "a convex corner has one valid split");
+
+  if (!c.repeated) {
+    split_search<K, edge_count, std::uint64_t> search(s.signs(), edge_count(true));
+    std::set<searched_split::diagonals> found;
+    search.for_each([&found](const auto& diagonals) {
+      require(found.insert(diagonals).second, "the search finds every tree once");
+      return false;
+    });
+    require(found.size() == all.size() && std::all_of(all.begin(), all.end(), [&found](const auto& t) { return found.contains(t.operations); }),
+            "the search finds the valid trees");
+    const auto alike = [&c](bool convex) { return convex == c.corner.convex.front(); };
+    if (std::all_of(c.corner.convex.begin(), c.corner.convex.end(), alike) && !all.empty())
+      require(only_split(k, c.corner) == all.front().operations, "a corner of one kind splits fast");
+  }
 
   for (const auto p : {split_preference::convex, split_preference::reflex, split_preference::min_volume, split_preference::max_volume}) {
     const auto best = s.best(p);

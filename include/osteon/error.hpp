@@ -37,7 +37,7 @@ enum class input_fault : std::uint8_t {
   zero_area,            ///< a facet of area zero
   not_planar,           ///< a facet whose points do not lie in one plane
   folded,               ///< two facets that meet at an angle of zero
-  two_fans,             ///< two fans of facets share only a point
+  two_fans,             ///< two fans of facets share only a point and have material between them
   self_intersection,    ///< two facets meet where they should not
   weight_not_positive,  ///< the weight of a facet is not greater than zero
   weight_conflict,      ///< adjacent coplanar facets with different weights

@@ -56,9 +56,10 @@ class solid_builder {
     check_points();
     make_half_edges();
     make_planes();
-    check_fans();
+    find_fans();
     check_self_intersections();
     check_orientation();
+    check_touching_fans();
     make_boundary();
     return std::move(s_);
   }
@@ -327,20 +328,80 @@ class solid_builder {
     return result;
   }
 
-  void check_fans() {
-    std::vector<bool> seen(half_edges_.size());
-    std::vector<int> fans(points_.size());
-    first_.assign(points_.size(), -1);
+  void find_fans() {
+    fan_of_.assign(half_edges_.size(), -1);
     for (int h = 0; h < static_cast<int>(half_edges_.size()); ++h) {
-      if (seen[h]) continue;
-      for (const int g : fan(h)) seen[g] = true;
-      const int p = half_edges_[h].from;
-      first_[p] = h;
-      if (++fans[p] > 1)
-        fail(input_fault::two_fans, static_cast<std::size_t>(p),
-             m_.name_point(static_cast<std::size_t>(p)) + " joins two fans of facets that share nothing else",
-             "split it: move one fan a little away, with a point of its own");
+      if (fan_of_[h] >= 0) continue;
+      for (const int g : fan(h)) fan_of_[g] = static_cast<int>(fans_.size());
+      fans_.push_back(h);
     }
+  }
+
+  // Where several fans meet in a point each must bound material of its own: as the facets move, the fans part. Two fans that bound the same
+  // material (two voids that touch) would make a tunnel there.
+  void check_touching_fans() const {
+    std::map<int, std::vector<int>> at;  // the fans of a point
+    for (const int h : fans_) at[half_edges_[h].from].push_back(h);
+    for (const auto& [p, fans] : at)
+      for (const int f : fans)
+        for (const int g : fans)
+          if (f != g && is_inside(f, g))
+            fail(input_fault::two_fans, static_cast<std::size_t>(p),
+                 m_.name_point(static_cast<std::size_t>(p)) + " joins two fans of facets with material between them, a tunnel of no width",
+                 "move one fan a little away, with a point of its own");
+  }
+
+  vec<Int> direction(int h) const { return points_[half_edges_[half_edges_[h].next].from] - points_[half_edges_[h].from]; }
+
+  // Where a direction in the plane of half-edge h's facet lies: in the facet's angle at h's corner, on its border, or outside.
+  location in_angle(int h, const vec<Int>& d) const {
+    const vec<Int>& n = s_.planes[plane_of(h)].n;
+    const vec<Int> a = direction(h);
+    const vec<Int> b = points_[half_edges_[half_edges_[h].previous].from] - points_[half_edges_[h].from];
+    const auto left = [&](const vec<Int>& x, const vec<Int>& y) { return sign_of(Int(dot(n, cross(x, y)))); };
+    const bool convex = left(a, b) == sign::positive;
+    const sign from_a = left(a, d);
+    const sign to_b = left(d, b);
+    if ((from_a == sign::zero && dot(a, d) > 0) || (to_b == sign::zero && dot(b, d) > 0)) return location::border;
+    const bool inside = convex ? from_a == sign::positive && to_b == sign::positive : from_a == sign::positive || to_b == sign::positive;
+    return inside ? location::inside : location::outside;
+  }
+
+  // Whether the fan of half-edge g starts on the inner side of the fan of half-edge f around the same point. Looks from g's direction straight at a
+  // direction in a facet of f: the first facet that is passed tells.
+  bool is_inside(int f, int g) const {
+    const vec<Int> from = direction(g);
+    for (int attempt = 1; attempt <= 64; ++attempt)
+      for (const int target : fan(f)) {
+        const vec<Int>& normal = s_.planes[plane_of(target)].n;
+        const vec<Int> turned = cross(normal, direction(target));
+        vec<Int> to = direction(target);
+        for (std::size_t x = 0; x < 3; ++x) to[x] = to[x] * (Int(1) << static_cast<unsigned>(2 * attempt)) + turned[x];
+        if (in_angle(target, to) != location::inside || dot(normal, from) == 0) continue;
+        sign side = sign_of(Int(dot(normal, from)));
+        Int done = 1;  // the way to the first facet as done / whole
+        Int whole = 1;
+        bool clean = true;
+        for (const int h : fan(f)) {
+          const vec<Int>& n = s_.planes[plane_of(h)].n;
+          Int start = dot(n, from);
+          Int end = dot(n, to);
+          if (h == target || sign_of(start) * sign_of(end) != sign::negative) continue;
+          const sign side_here = sign_of(start);
+          if (start < 0) start = -start;
+          if (end < 0) end = -end;
+          vec<Int> hit;
+          for (std::size_t x = 0; x < 3; ++x) hit[x] = from[x] * end + to[x] * start;
+          const location where = in_angle(h, hit);
+          clean = clean && where != location::border && (hit[0] != 0 || hit[1] != 0 || hit[2] != 0);
+          if (where != location::inside || start * whole >= done * (start + end)) continue;
+          done = start;
+          whole = start + end;
+          side = side_here;
+        }
+        if (clean) return side == sign::negative;
+      }
+    return true;
   }
 
   void check_self_intersections() const {
@@ -399,17 +460,25 @@ class solid_builder {
       for (const int f : members) corners.insert(corners.end(), m_.facets[f].begin(), m_.facets[f].end());
       boxes.emplace_back(rough_, corners);
     }
+    std::vector<int> depth(shells.size());  // how many others enclose a shell
+    std::vector<bool> passed(points_.size());
+    for (std::size_t j = 0; j < shells.size(); ++j) {
+      for (const int f : shells[j])
+        for (const int p : m_.facets[f]) passed[p] = true;
+      for (std::size_t i = 0; i < shells.size(); ++i) {
+        if (i == j || !boxes[i].overlaps(boxes[j])) continue;
+        const int p = point_beside(shells[i], passed);
+        if (detail::box(rough_, std::span(&p, 1)).overlaps(boxes[j]) && encloses(shells[j], points_[p])) ++depth[i];
+      }
+      for (const int f : shells[j])
+        for (const int p : m_.facets[f]) passed[p] = false;
+    }
     std::size_t wrong = 0;
     std::size_t example = 0;
     for (std::size_t i = 0; i < shells.size(); ++i) {
-      const int p = m_.facets[shells[i][0]][0];
-      const detail::box place(rough_, std::span(&p, 1));
-      int depth = 0;
-      for (std::size_t j = 0; j < shells.size(); ++j)
-        if (i != j && place.overlaps(boxes[j]) && encloses(shells[j], points_[p])) ++depth;
       Int volume = 0;
       for (const int f : shells[i]) volume += dot(area(static_cast<std::size_t>(f)), points_[m_.facets[f][0]]);
-      if ((volume > 0) != (depth % 2 == 0)) {
+      if ((volume > 0) != (depth[i] % 2 == 0)) {
         ++wrong;
         example = static_cast<std::size_t>(shells[i][0]);
       }
@@ -420,6 +489,17 @@ class solid_builder {
     if (wrong > 0)
       fail(input_fault::inside_out, example, m_.name_facet(example) + " and the shell it belongs to are inside-out",
            "reverse that shell: outer shells run counter-clockwise seen from outside, voids seen from inside");
+  }
+
+  // A point of a shell that another one does not pass.
+  int point_beside(const std::vector<int>& shell, const std::vector<bool>& passed) const {
+    for (const int f : shell)
+      for (const int p : m_.facets[f])
+        if (!passed[p]) return p;
+    const int p = m_.facets[shell[0]][0];
+    fail(input_fault::two_fans, static_cast<std::size_t>(p),
+         m_.name_point(static_cast<std::size_t>(p)) + " and all others of its shell are also points of another one",
+         "move some of them a little away");
   }
 
   int first_half_edge(int f) const {
@@ -464,49 +544,53 @@ class solid_builder {
 
   plane_id plane_of(int h) const { return s_.facet_planes[half_edges_[h].facet]; }
 
-  // Edges between different planes; at points with two of them they run on.
+  // Edges between different planes; where a fan has two of them they run on. Every other fan is a vertex.
   void make_boundary() {
-    const auto n = points_.size();
-    std::vector<std::vector<int>> rays(n);  // half-edges out of each point whose edge stays, counter-clockwise
+    const auto n = fans_.size();
+    std::vector<std::vector<int>> rays(n);  // half-edges out of each fan whose edge stays, counter-clockwise
     std::vector<int> vertex(n, -1);
-    for (std::size_t p = 0; p < n; ++p) {
-      for (const int h : fan(first_[p]))
-        if (plane_of(h) != plane_of(half_edges_[h].twin)) rays[p].push_back(h);
-      if (rays[p].size() < 3) continue;
-      vertex[p] = static_cast<int>(s_.points.size());
-      s_.points.push_back(points_[p]);
-      s_.input_points.push_back(static_cast<int>(p));
+    std::vector<std::size_t> order(n);  // of the points
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [this](std::size_t a, std::size_t b) { return half_edges_[fans_[a]].from < half_edges_[fans_[b]].from; });
+    for (const std::size_t i : order) {
+      for (const int h : fan(fans_[i]))
+        if (plane_of(h) != plane_of(half_edges_[h].twin)) rays[i].push_back(h);
+      if (rays[i].size() < 3) continue;
+      vertex[i] = static_cast<int>(s_.points.size());
+      s_.points.push_back(points_[half_edges_[fans_[i]].from]);
+      s_.input_points.push_back(half_edges_[fans_[i]].from);
     }
     auto& b = s_.boundary;
     b.planes = static_cast<plane_id>(s_.planes.size());
     b.vertices.resize(s_.points.size());
     std::unordered_map<int, int> edge_of;  // by the half-edges out of its two vertices
-    for (std::size_t p = 0; p < n; ++p) {
-      if (vertex[p] < 0) continue;
-      for (const int h : rays[p]) {
+    for (const std::size_t i : order) {
+      if (vertex[i] < 0) continue;
+      for (const int h : rays[i]) {
         if (!edge_of.contains(h)) {
           int last = h;  // the half-edge that arrives at the other vertex
-          int q = half_edges_[half_edges_[last].next].from;
+          int q = fan_of_[half_edges_[last].next];
           while (vertex[q] < 0) {
             const int back = half_edges_[last].twin;
             last = rays[q][0] == back ? rays[q][1] : rays[q][0];
-            q = half_edges_[half_edges_[last].next].from;
+            q = fan_of_[half_edges_[last].next];
           }
           const int e = static_cast<int>(b.edges.size());
-          const vec<Int> direction = points_[q] - points_[p];
+          const vec<Int> along = s_.points[vertex[q]] - s_.points[vertex[i]];
           const plane_id left = plane_of(h);
           const plane_id right = plane_of(half_edges_[h].twin);
-          const bool convex = dot(direction, cross(s_.planes[left].n, s_.planes[right].n)) > 0;
-          b.edges.push_back({{vertex[p], vertex[q]}, {left, right}, convex});
+          const bool convex = dot(along, cross(s_.planes[left].n, s_.planes[right].n)) > 0;
+          b.edges.push_back({{vertex[i], vertex[q]}, {left, right}, convex});
           edge_of[h] = e;
           edge_of[half_edges_[last].twin] = e;
         }
-        auto& v = b.vertices[vertex[p]];
+        auto& v = b.vertices[vertex[i]];
         // The edge of h lies between the facet right of h, which comes first, and the one left of it.
         v.facets.push_back(plane_of(h));
         v.edges.push_back(edge_of[h]);
       }
-      auto& v = b.vertices[vertex[p]];
+      auto& v = b.vertices[vertex[i]];
       std::rotate(v.edges.begin(), v.edges.begin() + 1, v.edges.end());  // edges[m] between facets[m] and [m + 1]
     }
     count_facets();
@@ -533,7 +617,8 @@ class solid_builder {
   std::vector<vec<Int>> points_;
   std::vector<std::array<double, 3>> rough_;  // the points by a monotone function, for boxes
   std::vector<half_edge> half_edges_;
-  std::vector<int> first_;  // a half-edge out of each point
+  std::vector<int> fans_;    // a half-edge out of each fan
+  std::vector<int> fan_of_;  // by half-edge: the fan around its corner
   mutable std::vector<int> facet_start_;
   solid<Int> s_;
 };
