@@ -30,7 +30,8 @@ namespace osteon::app {
 inline const std::map<std::string, split_preference> preferences = {{"convex", split_preference::convex},
                                                                     {"reflex", split_preference::reflex},
                                                                     {"min-volume", split_preference::min_volume},
-                                                                    {"max-volume", split_preference::max_volume}};
+                                                                    {"max-volume", split_preference::max_volume},
+                                                                    {"first", split_preference::first}};
 inline const std::map<std::string, saddle_rule> saddles = {
     {"convex", saddle_rule::convex}, {"reflex", saddle_rule::reflex}, {"slower", saddle_rule::slower}, {"faster", saddle_rule::faster}};
 

@@ -154,19 +154,53 @@ TEST(SplitSearch, AgreesWithTheListOn5000Corners) {
   EXPECT_GT(turning_trees, 1000U);
 }
 
+void expect_certified(const solid<integer>& s, split_preference preference, bool proven) {
+  const auto k = default_kernel(s);
+  const auto raw = straight_skeleton(k, s.boundary, preferring(preference));
+  const auto broken = verify(k, s.boundary, raw);
+  EXPECT_FALSE(broken) << broken->witness;
+  if (proven) {
+    EXPECT_EQ(raw.unproven_splits, 0);
+  }
+}
+
 TEST(SplitSearch, SolidsWithVerticesOfHighDegreeAreCertified) {
-  for (const int degree : {16, 24, 40, 64, 100})
-    for (const std::uint64_t seed : {1U, 2U})
-      for (const auto preference : {split_preference::convex, split_preference::reflex}) {
-        SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
-        const auto s = make_solid(models::cone(degree, seed).take<integer>());
-        const auto k = default_kernel(s);
-        const auto raw = straight_skeleton(k, s.boundary, preferring(preference));
-        EXPECT_FALSE(verify(k, s.boundary, raw));
-        if (preference == split_preference::convex || degree <= 40) {
-          EXPECT_EQ(raw.unproven_splits, 0);
+  for (const char* kind : {"cone", "spire", "peak"})
+    for (const int degree : {16, 24, 40, 64, 100})
+      for (const std::uint64_t seed : {1U, 2U})
+        for (const auto preference : {split_preference::convex, split_preference::reflex}) {
+          SCOPED_TRACE(kind + (" of degree " + std::to_string(degree)) + ", seed " + std::to_string(seed));
+          const auto& all = models::kinds();
+          const auto& k = *std::find_if(all.begin(), all.end(), [kind](const auto& x) { return x.name == kind; });
+          expect_certified(make_solid(k.make(degree, seed).take<integer>()), preference, preference == split_preference::convex || degree <= 40);
         }
+  for (const auto preference : {split_preference::min_volume, split_preference::max_volume, split_preference::first})
+    expect_certified(make_solid(models::peak(20, 1).take<integer>()), preference, true);
+}
+
+// Thesis 3.3.3: two opposite facets around the middle lie in the plane z = 0.
+TEST(SplitSearch, FacetsMayShareAPlane) {
+  for (const int degree : {8, 12, 16, 24, 40})
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
+      models::dice roll(seed);
+      models::builder b;
+      std::vector<models::point> low;
+      std::vector<models::point> high;
+      for (int i = 0; i < degree; ++i) {
+        const auto p = models::on_circle(i, degree, static_cast<double>(roll.between(600, 1000)));
+        low.push_back({p[0], p[1], -2000});
+        high.push_back({p[0], p[1], i % (degree / 2) < 2 ? 0 : roll.between(-500, 500)});
       }
+      for (std::size_t i = 0; i < low.size(); ++i) {
+        const std::size_t j = (i + 1) % low.size();
+        b.facet({high[i], high[j], {0, 0, 0}});
+        b.facet({low[i], low[j], high[j], high[i]});
+      }
+      std::reverse(low.begin(), low.end());
+      b.facet(low);
+      expect_certified(make_solid(b.take<integer>()), split_preference::convex, false);
+    }
 }
 
 // A corner over a convex polygon, and its complement: one tree, found without looking at others.

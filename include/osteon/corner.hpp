@@ -110,6 +110,7 @@ class corner_signs {
   }
 
   /// Whether the edge between the vertices (a,b,below) and (a,b,above) is convex: design 03, iff (det > 0) == (it runs inside), at either end.
+  /// Requires that below and above are of different planes: else the vertices are one point.
   bool is_convex(int a, int b, int below, int above) const { return positive(a, b, below) == (side(below, a, b, above) == sign::positive); }
 
   /// An edge of facet f with facet `other` that ends in the vertices with the facets in `ends`, -1 for none: it runs on for ever.
@@ -119,10 +120,12 @@ class corner_signs {
     bool convex;
   };
 
-  /// Whether two edges of facet f cross. Two that share an end do not.
+  /// Whether two edges of facet f cross. Two of which one ends on the line of the other do not.
   bool cross(int f, const border& x, const border& y) const {
-    for (const int end : x.ends)
-      if (end == y.other) return false;
+    const auto ends_on = [this](const border& e, int other) {
+      return std::any_of(e.ends.begin(), e.ends.end(), [&](int end) { return end >= 0 && plane(end) == plane(other); });
+    };
+    if (ends_on(x, y.other) || ends_on(y, x.other)) return false;
     return x.other != y.other && meets(f, x.other, y.other) && runs_through(f, x, y.other) && runs_through(f, y, x.other);
   }
 

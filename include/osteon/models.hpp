@@ -237,6 +237,58 @@ inline builder cone(int k, std::uint64_t seed) {
   return pyramid(base, 500'000 + roll.between(0, 99'999));
 }
 
+/// A pyramid over a random simple polygon of k corners, seldom star-shaped: grown from a triangle, a corner at a time, across random edges.
+inline builder spire(int k, std::uint64_t seed) {
+  dice roll(seed);
+  const auto draw = [&roll] { return std::array<long, 2>{roll.between(-1'000'000, 1'000'000), roll.between(-1'000'000, 1'000'000)}; };
+  const auto turn = [](const std::array<long, 2>& p, const std::array<long, 2>& q, const std::array<long, 2>& r) {
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  };
+  const auto meet = [&turn](const auto& p, const auto& q, const auto& r, const auto& s) {
+    return (turn(p, q, r) > 0) != (turn(p, q, s) > 0) && (turn(r, s, p) > 0) != (turn(r, s, q) > 0);
+  };
+  polygon base = {{-900'000, -800'000}, {900'000, -700'000}, {0, 900'000}};
+  while (static_cast<int>(base.size()) < k) {
+    const auto fresh = draw();
+    const std::size_t at = static_cast<std::size_t>(roll.between(0, static_cast<long>(base.size()) - 1));
+    const std::size_t next = (at + 1) % base.size();
+    bool free = true;
+    for (std::size_t i = 0; i < base.size() && free; ++i) {
+      const std::size_t j = (i + 1) % base.size();
+      free = turn(base[i], base[j], fresh) != 0;
+      for (const std::size_t end : {at, next})
+        if (i != end && j != end) free = free && !meet(base[end], fresh, base[i], base[j]);
+    }
+    if (free) base.insert(base.begin() + static_cast<std::ptrdiff_t>(at) + 1, fresh);
+  }
+  long area = 0;
+  for (std::size_t i = 0; i < base.size(); ++i) area += turn({0, 0}, base[i], base[(i + 1) % base.size()]) / 1000;
+  if (area < 0) std::reverse(base.begin(), base.end());
+  return pyramid(base, 500'000 + roll.between(0, 99'999));
+}
+
+/// A round plate whose top is a fan of k triangles around a middle point, with random heights at the rim: a corner of degree k, convex and reflex at
+/// random and seldom pointed.
+inline builder peak(int k, std::uint64_t seed) {
+  dice roll(seed);
+  builder b;
+  std::vector<point> low;
+  std::vector<point> high;
+  for (int i = 0; i < k; ++i) {
+    const auto p = on_circle(i, k, static_cast<double>(roll.between(600'000, 1'000'000)));
+    low.push_back({p[0], p[1], -2'000'000});
+    high.push_back({p[0], p[1], roll.between(-500'000, 500'000)});
+  }
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    const std::size_t j = (i + 1) % low.size();
+    b.facet({high[i], high[j], {0, 0, 0}});
+    b.facet({low[i], low[j], high[j], high[i]});
+  }
+  std::reverse(low.begin(), low.end());
+  b.facet(low);
+  return b;
+}
+
 /// A pyramid over a hub with n arms of five corners each, slightly irregular: every arm can be split in several ways whatever the others do, so that
 /// the number of ways to split the apex grows exponentially (thesis 3.7).
 inline builder arms(int n, std::uint64_t seed) {
@@ -582,6 +634,8 @@ inline const std::vector<kind>& kinds() {
       {"saddle", "no meaning", 1, 1, [](int, std::uint64_t) { return saddle(); }},
       {"star", "points", 5, 3, [](int n, std::uint64_t s) { return star(n, s); }},
       {"cone", "degree of the apex", 8, 3, [](int n, std::uint64_t s) { return cone(n, s); }},
+      {"spire", "degree of the apex", 8, 3, [](int n, std::uint64_t s) { return spire(n, s); }},
+      {"peak", "degree of the middle", 8, 3, [](int n, std::uint64_t s) { return peak(n, s); }},
       {"arms", "arms around the apex, five facets each", 4, 3, [](int n, std::uint64_t s) { return arms(n, s); }},
   };
   return all;

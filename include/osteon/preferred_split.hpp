@@ -103,7 +103,7 @@ std::optional<chosen_split> preferred_split(const K& k, const corner& c, split_p
   const bool different = has_different_planes(c);
   if (different && std::all_of(c.convex.begin(), c.convex.end(), [&c](bool convex) { return convex == c.convex.front(); }))
     return chosen(s.tree(only_split(k, c)), true);
-  if (!different || c.degree() <= greatest_listed_degree) return chosen(s.best(preference), true);
+  if (c.degree() <= (different ? greatest_listed_degree : greatest_split_degree)) return chosen(s.best(preference), true);
   if (c.degree() > greatest_remembered_degree)
     throw unsupported_error("not yet: the split of a vertex of degree " + std::to_string(c.degree()) + " with convex and reflex edges (at most " +
                             std::to_string(greatest_remembered_degree) + ")");
@@ -113,14 +113,26 @@ std::optional<chosen_split> preferred_split(const K& k, const corner& c, split_p
       return t && s.valid(*t);
     });
   };
-  searched_split found = preference == split_preference::convex   ? search(edge_count(true))
-                         : preference == split_preference::reflex ? search(edge_count(false))
-                                                                  : search(offset_volume<K>(s.signs(), preference == split_preference::max_volume));
-  const bool proven = found.end == search_end::best;
+  const auto preferred = [&] {
+    switch (preference) {
+      case split_preference::convex:
+      case split_preference::reflex:
+        return search(edge_count(preference == split_preference::convex));
+      case split_preference::min_volume:
+      case split_preference::max_volume:
+        return search(offset_volume<K>(s.signs(), preference == split_preference::max_volume));
+      case split_preference::first:
+        break;
+    }
+    return search(any_tree());
+  };
+  searched_split found = preferred();
+  const bool proven = different && found.end == search_end::best;
   for (const bool convex : {true, false})  // any tree is better than none
     if (found.end == search_end::unknown) found = search(edge_count(convex));
-  if (found.end == search_end::unknown)
-    throw unsupported_error("not yet: a split of a vertex of degree " + std::to_string(c.degree()) + " that takes so many steps to find");
+  if (found.end == search_end::unknown || (!different && found.end == search_end::none))
+    throw unsupported_error("not yet: a split of a vertex of degree " + std::to_string(c.degree()) +
+                            (different ? " that takes so many steps to find" : " where facets of one plane must join"));
   return found.end == search_end::none ? std::nullopt : chosen(s.tree(found.tree), proven);
 }
 

@@ -38,7 +38,7 @@ struct options {
 
 /// The rule that goes with a preference where none is asked for.
 constexpr saddle_rule default_saddle(split_preference p) {
-  return p == split_preference::convex || p == split_preference::max_volume ? saddle_rule::convex : saddle_rule::reflex;
+  return p == split_preference::reflex || p == split_preference::min_volume ? saddle_rule::reflex : saddle_rule::convex;
 }
 
 /// One run of the wavefront. Candidates for events are meetings of four planes, nothing more: whether one is an event

@@ -29,7 +29,8 @@ enum class split_preference : std::uint8_t {
   convex,      ///< most convex edges
   reflex,      ///< most reflex edges
   min_volume,  ///< least volume of the offset
-  max_volume   ///< greatest volume of the offset
+  max_volume,  ///< greatest volume of the offset
+  first        ///< the first that is found
 };
 
 /// An edge of a split corner between the facets a and b of the corner. Where a facet's plane occurs twice around the
@@ -328,6 +329,8 @@ class splitter {
         return signs_.kernel().compare_volume(planes(s), planes(t)) == sign::negative;
       case split_preference::max_volume:
         return signs_.kernel().compare_volume(planes(s), planes(t)) == sign::positive;
+      case split_preference::first:
+        return false;
     }
     return false;
   }

@@ -36,6 +36,20 @@
 
 namespace osteon {
 
+/// All trees are worth the same.
+struct any_tree {
+  using value = int;
+  using sum = int;
+
+  value none() const { return 0; }
+  value with_edge(value, bool) const { return 0; }
+  value with_vertex(value, value, const std::array<int, 3>&) const { return 0; }
+  void add(sum&, value) const {}
+  void add_edge(sum&, bool) const {}
+  void add_vertex(sum&, const std::array<int, 3>&) const {}
+  sign compare(sum, sum) const { return sign::zero; }
+};
+
 /// Worth of a tree: the number of edges of one kind that begin at the vertex.
 class edge_count {
  public:
@@ -122,8 +136,9 @@ struct searched_split {
   diagonals tree;
 };
 
-/// All candidates of one corner, without listing them. Requires degree >= 4 and planes that are all different. `Count` counts them: an integer of any
-/// size for exact counts, double where their number does not matter. Cost: k^4 / 24 signs, each asked once, and about k^4 steps; memory k^3.
+/// All candidates of one corner, without listing them. Requires degree >= 4. Where facets share a plane, only trees whose vertices have three planes
+/// are candidates, and candidates without crossing edges need not be valid. `Count` counts them: an integer of any size for exact counts, double
+/// where their number does not matter. Cost: k^4 / 24 signs, each asked once, and about k^4 steps; memory k^3.
 template <kernel K, class Measure, class Count = double>
 class split_search {
  public:
@@ -258,6 +273,9 @@ class split_search {
     return measure_.compare(x, y) == sign::positive;
   }
 
+  // Whether the edge (i,j) can end in the vertices with the state's apex and with facet n.
+  bool is_edge(int i, int j, const state& t, int n) const { return s_.plane(t.apex) != s_.plane(n) && t.convex == s_.is_convex(i, j, t.apex, n); }
+
   // What lies below the side (i,j) of the triangle whose third facet is n; convex before reflex.
   std::vector<summary> summarise(int i, int j, int n) const {
     if (j == i + 1) {
@@ -266,7 +284,7 @@ class split_search {
     }
     std::vector<summary> result;
     for (const state& t : at(i, j)) {
-      if (t.convex != s_.is_convex(i, j, t.apex, n)) continue;
+      if (!is_edge(i, j, t, n)) continue;
       const value best = measure_.with_edge(t.best, t.convex);
       const auto same = std::find_if(result.begin(), result.end(), [&](const summary& x) { return x.convex == t.convex && x.borders == t.borders; });
       if (same == result.end()) {
@@ -336,7 +354,7 @@ class split_search {
     return true;
   }
   bool fits(const state& t, const task& w) const {
-    return t.convex == w.convex && agree(t.borders, w.borders) && (w.above < 0 || t.convex == s_.is_convex(w.i, w.j, t.apex, w.above));
+    return t.convex == w.convex && agree(t.borders, w.borders) && (w.above < 0 || is_edge(w.i, w.j, t, w.above));
   }
 
   std::vector<option> options(const task& t) const {
