@@ -267,26 +267,30 @@ inline builder spire(int k, std::uint64_t seed) {
   return pyramid(base, 500'000 + roll.between(0, 99'999));
 }
 
-/// A round plate whose top is a fan of k triangles around a middle point, with random heights at the rim: a corner of degree k, convex and reflex at
-/// random and seldom pointed.
-inline builder peak(int k, std::uint64_t seed) {
-  dice roll(seed);
+/// A plate whose top is a fan of triangles around the origin, between neighbours of a rim that runs round it; the floor is flat, at height `floor`.
+inline builder fan_on_plate(const std::vector<point>& rim, long floor) {
   builder b;
-  std::vector<point> low;
-  std::vector<point> high;
-  for (int i = 0; i < k; ++i) {
-    const auto p = on_circle(i, k, static_cast<double>(roll.between(600'000, 1'000'000)));
-    low.push_back({p[0], p[1], -2'000'000});
-    high.push_back({p[0], p[1], roll.between(-500'000, 500'000)});
-  }
-  for (std::size_t i = 0; i < low.size(); ++i) {
-    const std::size_t j = (i + 1) % low.size();
-    b.facet({high[i], high[j], {0, 0, 0}});
-    b.facet({low[i], low[j], high[j], high[i]});
+  std::vector<point> low = rim;
+  for (point& p : low) p[2] = floor;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const std::size_t j = (i + 1) % rim.size();
+    b.facet({rim[i], rim[j], {0, 0, 0}});
+    b.facet({low[i], low[j], rim[j], rim[i]});
   }
   std::reverse(low.begin(), low.end());
   b.facet(low);
   return b;
+}
+
+/// A fan on a plate with random heights at the rim: a corner of degree k, convex and reflex at random and seldom pointed.
+inline builder peak(int k, std::uint64_t seed) {
+  dice roll(seed);
+  std::vector<point> rim;
+  for (int i = 0; i < k; ++i) {
+    const auto p = on_circle(i, k, static_cast<double>(roll.between(600'000, 1'000'000)));
+    rim.push_back({p[0], p[1], roll.between(-500'000, 500'000)});
+  }
+  return fan_on_plate(rim, -2'000'000);
 }
 
 /// A pyramid over a hub with n arms of five corners each, slightly irregular: every arm can be split in several ways whatever the others do, so that
