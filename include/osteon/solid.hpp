@@ -78,7 +78,8 @@ class solid_builder {
     std::vector<std::size_t> lines;
     std::vector<Int> weights;
     for (std::size_t f = 0; f < m.facets.size(); ++f) {
-      const auto pieces = b.is_planar(f) ? std::vector<std::vector<int>>{m.facets[f]} : b.ears(f);
+      std::vector<std::vector<int>> pieces = {m.facets[f]};
+      if (!b.is_planar(f)) pieces = b.ears(f);
       for (const auto& piece : pieces) {
         facets.push_back(piece);
         if (f < m.facet_lines.size()) lines.push_back(m.facet_lines[f]);
@@ -368,40 +369,49 @@ class solid_builder {
   }
 
   // Whether the fan of half-edge g starts on the inner side of the fan of half-edge f around the same point. Looks from g's direction straight at a
-  // direction in a facet of f: the first facet that is passed tells.
+  // direction in a facet of f.
   bool is_inside(int f, int g) const {
-    const vec<Int> from = direction(g);
-    for (int attempt = 1; attempt <= 64; ++attempt)
-      for (const int target : fan(f)) {
-        const vec<Int>& normal = s_.planes[plane_of(target)].n;
-        const vec<Int> turned = cross(normal, direction(target));
+    const std::vector<int> facets = fan(f);
+    for (unsigned attempt = 1; attempt <= 64; ++attempt) {
+      for (const int target : facets) {
+        const vec<Int> turned = cross(s_.planes[plane_of(target)].n, direction(target));
         vec<Int> to = direction(target);
-        for (std::size_t x = 0; x < 3; ++x) to[x] = to[x] * (Int(1) << static_cast<unsigned>(2 * attempt)) + turned[x];
-        if (in_angle(target, to) != location::inside || dot(normal, from) == 0) continue;
-        sign side = sign_of(Int(dot(normal, from)));
-        Int done = 1;  // the way to the first facet as done / whole
-        Int whole = 1;
-        bool clean = true;
-        for (const int h : fan(f)) {
-          const vec<Int>& n = s_.planes[plane_of(h)].n;
-          Int start = dot(n, from);
-          Int end = dot(n, to);
-          if (h == target || sign_of(start) * sign_of(end) != sign::negative) continue;
-          const sign side_here = sign_of(start);
-          if (start < 0) start = -start;
-          if (end < 0) end = -end;
-          vec<Int> hit;
-          for (std::size_t x = 0; x < 3; ++x) hit[x] = from[x] * end + to[x] * start;
-          const location where = in_angle(h, hit);
-          clean = clean && where != location::border && (hit[0] != 0 || hit[1] != 0 || hit[2] != 0);
-          if (where != location::inside || start * whole >= done * (start + end)) continue;
-          done = start;
-          whole = start + end;
-          side = side_here;
-        }
-        if (clean) return side == sign::negative;
+        for (std::size_t x = 0; x < 3; ++x) to[x] = to[x] * (Int(1) << 2 * attempt) + turned[x];
+        if (in_angle(target, to) != location::inside) continue;
+        const auto seen = sees_inside(facets, target, direction(g), to);
+        if (seen) return *seen;
       }
+    }
     return true;
+  }
+
+  // Whether the first facet passed on the way from one direction to another in the target facet is seen from inside; nothing where it is passed in an
+  // edge.
+  std::optional<bool> sees_inside(const std::vector<int>& facets, int target, const vec<Int>& from, const vec<Int>& to) const {
+    sign side = sign_of(Int(dot(s_.planes[plane_of(target)].n, from)));
+    if (side == sign::zero) return std::nullopt;
+    Int done = 1;  // the way to the first facet as done / whole
+    Int whole = 1;
+    for (const int h : facets) {
+      const vec<Int>& n = s_.planes[plane_of(h)].n;
+      Int start = dot(n, from);
+      Int end = dot(n, to);
+      const sign here = sign_of(start);
+      if (h == target || here * sign_of(end) != sign::negative) continue;
+      if (start < 0) start = -start;
+      if (end < 0) end = -end;
+      vec<Int> hit;
+      for (std::size_t x = 0; x < 3; ++x) hit[x] = from[x] * end + to[x] * start;
+      const bool opposite = hit[0] == 0 && hit[1] == 0 && hit[2] == 0;
+      const location where = in_angle(h, hit);
+      if (opposite || where == location::border) return std::nullopt;
+      if (where == location::inside && start * whole < done * (start + end)) {
+        done = start;
+        whole = start + end;
+        side = here;
+      }
+    }
+    return side == sign::negative;
   }
 
   void check_self_intersections() const {
@@ -468,6 +478,11 @@ class solid_builder {
       for (std::size_t i = 0; i < shells.size(); ++i) {
         if (i == j || !boxes[i].overlaps(boxes[j])) continue;
         const int p = point_beside(shells[i], passed);
+        if (p < 0) {
+          const auto f = static_cast<std::size_t>(shells[i][0]);
+          fail(input_fault::two_fans, f, m_.name_facet(f) + " belongs to a shell all points of which are points of another one",
+               "move some of them a little away");
+        }
         if (detail::box(rough_, std::span(&p, 1)).overlaps(boxes[j]) && encloses(shells[j], points_[p])) ++depth[i];
       }
       for (const int f : shells[j])
@@ -491,15 +506,14 @@ class solid_builder {
            "reverse that shell: outer shells run counter-clockwise seen from outside, voids seen from inside");
   }
 
-  // A point of a shell that another one does not pass.
+  // A point of a shell that another one does not pass; -1 where there is none.
   int point_beside(const std::vector<int>& shell, const std::vector<bool>& passed) const {
-    for (const int f : shell)
-      for (const int p : m_.facets[f])
-        if (!passed[p]) return p;
-    const int p = m_.facets[shell[0]][0];
-    fail(input_fault::two_fans, static_cast<std::size_t>(p),
-         m_.name_point(static_cast<std::size_t>(p)) + " and all others of its shell are also points of another one",
-         "move some of them a little away");
+    for (const int f : shell) {
+      const auto& loop = m_.facets[f];
+      const auto found = std::find_if(loop.begin(), loop.end(), [&passed](int p) { return !passed[p]; });
+      if (found != loop.end()) return *found;
+    }
+    return -1;
   }
 
   int first_half_edge(int f) const {
