@@ -193,6 +193,28 @@ void check_embedding(const std::vector<vector>& rays, const cone& c, const ratio
 }
 
 // The number of valid trees.
+// The tree that is taken is a valid one, and none is worth more.
+template <kernel K>
+void check_chosen(const K& k, const cone& c, const splitter<K>& s, const std::vector<split_tree>& all) {
+  const auto is_valid = [&](const split_tree& t) {
+    return std::any_of(all.begin(), all.end(), [&t](const split_tree& other) { return other.operations == t.operations; });
+  };
+  using enum split_preference;
+  for (const auto p : {convex, reflex, min_volume, max_volume, first}) {
+    const auto chosen = preferred_split(k, c.corner, p);
+    require(chosen.has_value() == !all.empty(), "a tree is taken iff any is valid");
+    if (!chosen) continue;
+    require(chosen->proven && is_valid(chosen->tree), "the tree that is taken is valid, and known to be best");
+    const auto best = s.best(p);
+    if (p == convex) require(chosen->tree.convex_edges() == best->convex_edges(), "it has most convex edges");
+    if (p == reflex) require(chosen->tree.reflex_edges() == best->reflex_edges(), "it has most reflex edges");
+    if (p == min_volume || p == max_volume)
+      require(k.compare_volume(triples(c, chosen->tree), triples(c, *best)) == sign::zero, "its volume is extreme");
+  }
+  const auto drawn = random_split(k, c.corner, all.size());
+  require(drawn.has_value() == !all.empty() && (!drawn || is_valid(drawn->tree)), "the tree that is drawn is valid");
+}
+
 template <kernel K>
 std::size_t check(const K& k, const cone& c) {
   const splitter<K> s(k, c.corner);
@@ -220,6 +242,17 @@ std::size_t check(const K& k, const cone& c) {
     });
     require(found.size() == all.size() && std::all_of(all.begin(), all.end(), [&found](const auto& t) { return found.contains(t.operations); }),
             "the search finds the valid trees");
+    const auto is_valid = [&found](const auto& diagonals) { return found.contains(diagonals); };
+    for (const std::uint64_t steps : {1U, 5U, 25U}) {
+      const searched_split hasty = search.best(is_valid, steps);
+      require(hasty.end == search_end::unknown || (hasty.end == search_end::none ? found.empty() : found.contains(hasty.tree)),
+              "a hasty search gives up or finds a valid tree");
+    }
+    if (search.count() > 0) {
+      std::uint64_t drawn = c.corner.facets.size();
+      const auto below = [&drawn](std::uint64_t n) { return (drawn = drawn * 6364136223846793005U + 1442695040888963407U) % n; };
+      require(lists.contains(search.sample(below)), "a drawn tree is a candidate");
+    }
     const auto alike = [&c](bool convex) { return convex == c.corner.convex.front(); };
     if (std::all_of(c.corner.convex.begin(), c.corner.convex.end(), alike) && !all.empty())
       require(only_split(k, c.corner) == all.front().operations, "a corner of one kind splits fast");
@@ -244,6 +277,7 @@ std::size_t check(const K& k, const cone& c) {
     }
   }
   check_volumes(k, c, all);
+  check_chosen(k, c, s, all);
   return all.size();
 }
 

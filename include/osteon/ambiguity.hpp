@@ -36,11 +36,13 @@ std::vector<std::uint64_t> independent_ways(const splitter<K>& s, const split_tr
     std::size_t before;  // so many parts end before it
   };
   std::vector<part> parts;
-  for (const auto& [i, j] : t.operations) {
+  for (const auto& below : t.operations) {
+    const int i = below.first;
+    const int j = below.second;
     if (j - i < 3 || j - i > 6) continue;
     std::vector<std::pair<int, int>> outside;
     for (const auto& d : t.operations)
-      if (d.first < i || d.second > j || d == std::pair(i, j)) outside.push_back(d);
+      if (d.first < i || d.second > j || d == below) outside.push_back(d);
     part p = {i, j, 0, 0};
     for_each_triangulation(j - i + 1, [&](std::span<const std::pair<int, int>> inside) {
       std::vector<std::pair<int, int>> all = outside;

@@ -250,7 +250,7 @@ inline builder spire(int k, std::uint64_t seed) {
   polygon base = {{-900'000, -800'000}, {900'000, -700'000}, {0, 900'000}};
   while (static_cast<int>(base.size()) < k) {
     const auto fresh = draw();
-    const std::size_t at = static_cast<std::size_t>(roll.between(0, static_cast<long>(base.size()) - 1));
+    const auto at = static_cast<std::size_t>(roll.between(0, static_cast<long>(base.size()) - 1));
     const std::size_t next = (at + 1) % base.size();
     bool free = true;
     for (std::size_t i = 0; i < base.size() && free; ++i) {

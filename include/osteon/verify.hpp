@@ -316,10 +316,10 @@ class verifier {
       for (const int v : solid_.edges[sheet.input_edge].ends) ++ends[{sheet.polygon, v}];
       for (const plane_id f : sheet.facets) ++sides[{sheet.input_edge, f}];
     }
-    for (int a = 0; a < static_cast<int>(s_.arcs.size()); ++a) {
-      const int v = s_.nodes[s_.arcs[a].source].vertex;
+    for (const auto& a : s_.arcs) {
+      const int v = s_.nodes[a.source].vertex;
       if (v < 0) continue;
-      for (const int s : s_.arcs[a].sheets) ++ends[{s_.sheets[s].polygon, v}];
+      for (const int s : a.sheets) ++ends[{s_.sheets[s].polygon, v}];
     }
     for (const auto& [at, times] : ends)
       demand(times % 2 == 0, rule::border, "sheet", at.first, ("has an open border at vertex " + std::to_string(at.second)).c_str());
