@@ -80,7 +80,7 @@ struct splits_command {
     return c;
   }
 
-  static bool listed(const corner& c) { return c.degree() <= greatest_split_degree || !has_different_planes(c); }
+  static bool listed(const corner& c) { return c.degree() <= greatest_split_degree; }
 
   template <class K, class Body>
   static auto search_of(const K& k, const corner& c, Body body) {
@@ -96,7 +96,18 @@ struct splits_command {
   template <class Visit>
   static void for_each_tree(const solid<integer>& s, const corner& c, Visit visit) {
     if (!listed(c)) {
-      search_of(default_kernel(s), c, [&](auto& search) { return search.for_each([&](const operations& t) { return visit(t, true); }); });
+      const auto k = default_kernel(s);
+      const splitter trees(k, c);
+      const bool different = has_different_planes(c);
+      search_of(k, c, [&](auto& search) {
+        return search.for_each([&](const operations& t) {
+          if (!different) {
+            const auto tree = trees.tree(t);
+            if (!tree || !trees.valid(*tree)) return false;
+          }
+          return visit(t, true);
+        });
+      });
       return;
     }
     std::map<operations, bool> trees;  // whether all vertices stay near
@@ -187,7 +198,7 @@ struct splits_command {
       const split_count counted = count_splits(k, s.boundary, id);
       integer valid = 1;
       for (const std::uint64_t f : counted.factors) valid *= f;
-      if (!whole && has_different_planes(c)) doc["candidates"] = search_of(k, c, [](const auto& found) { return found.count().str(); });
+      if (!whole) doc["candidates"] = search_of(k, c, [](const auto& found) { return found.count().str(); });
       doc["valid"] = valid.str();
       doc["exact"] = counted.exact;
       fmt::print("{}\n", doc.dump());

@@ -233,10 +233,14 @@ std::size_t check(const K& k, const cone& c) {
   if (std::all_of(c.corner.convex.begin(), c.corner.convex.end(), [](bool b) { return b; }) && !c.collinear)
     require(all.size() == 1, "a convex corner has one valid split");
 
-  if (!c.repeated) {
+  {
     split_search<K, edge_count, std::uint64_t> search(s.signs(), edge_count(true));
     std::set<searched_split::diagonals> found;
-    search.for_each([&found](const auto& diagonals) {
+    search.for_each([&](const auto& diagonals) {
+      if (c.repeated) {
+        const auto t = s.tree(diagonals);
+        if (!t || !s.valid(*t)) return false;
+      }
       require(found.insert(diagonals).second, "the search finds every tree once");
       return false;
     });
@@ -251,10 +255,10 @@ std::size_t check(const K& k, const cone& c) {
     if (search.count() > 0) {
       std::uint64_t drawn = c.corner.facets.size();
       const auto below = [&drawn](std::uint64_t n) { return (drawn = drawn * 6364136223846793005U + 1442695040888963407U) % n; };
-      require(lists.contains(search.sample(below)), "a drawn tree is a candidate");
+      require(c.repeated || lists.contains(search.sample(below)), "a drawn tree is a candidate");
     }
     const auto alike = [&c](bool convex) { return convex == c.corner.convex.front(); };
-    if (std::all_of(c.corner.convex.begin(), c.corner.convex.end(), alike) && !all.empty())
+    if (std::all_of(c.corner.convex.begin(), c.corner.convex.end(), alike) && !all.empty() && !c.repeated)
       require(only_split(k, c.corner) == all.front().operations, "a corner of one kind splits fast");
   }
 

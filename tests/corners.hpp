@@ -57,6 +57,42 @@ inline std::optional<random_corner> make_corner(int k, std::uint64_t seed) {
   return c;
 }
 
+/// The vertex of a terrain over k sectors, some of which lie in one horizontal plane. Nothing where neighbours are coplanar.
+inline std::optional<random_corner> make_flat_corner(int k, std::uint64_t seed) {
+  models::dice roll(seed);
+  random_corner c;
+  for (int i = 0; i < k; ++i) {
+    const auto p = models::on_circle(i, k, static_cast<double>(roll.between(1000, 3000)));
+    c.rays.push_back({integer(p[0]), integer(p[1]), integer(roll.between(0, 9) < 6 ? 0 : roll.between(-1500, 1500))});
+  }
+  const auto across = [](const auto& x, const auto& y) {
+    return std::array<integer, 3>{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+  };
+  const auto at = [k](int i) { return static_cast<std::size_t>(i % k); };
+  int flat = -1;
+  for (int i = 0; i < k; ++i) {
+    auto n = across(c.rays[at(i)], c.rays[at(i + 1)]);
+    const bool level = n[0] == 0 && n[1] == 0;
+    if (level && flat >= 0) {
+      c.of.facets.push_back(flat);
+      continue;
+    }
+    if (level) {
+      n[2] = 1;
+      flat = static_cast<int>(c.planes.size());
+    }
+    c.of.facets.push_back(static_cast<int>(c.planes.size()));
+    c.planes.push_back({n, integer(0)});
+  }
+  for (int i = 0; i < k; ++i) {
+    if (c.of.facets[at(i)] == c.of.facets[at(i + 1)]) return std::nullopt;
+    const auto bend = across(c.planes[static_cast<std::size_t>(c.of.facets[at(i)])].n, c.planes[static_cast<std::size_t>(c.of.facets[at(i + 1)])].n);
+    const auto& ray = c.rays[at(i + 1)];
+    c.of.convex.push_back(bend[0] * ray[0] + bend[1] * ray[1] + bend[2] * ray[2] < 0);
+  }
+  return c;
+}
+
 /// The apex of a pyramid over k points of a parabola and a chord.
 inline random_corner make_convex_corner(int k, std::uint64_t seed) {
   models::dice roll(seed);

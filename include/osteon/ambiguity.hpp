@@ -80,14 +80,20 @@ split_count count_splits(const K& k, const boundary& b, int vertex, std::uint64_
   const corner c = corner_at(b, vertex);
   if (c.degree() == 3 || v.is_majority()) return {{1}, true};
   const splitter<K> s(k, c);
-  if (!has_different_planes(c)) return {{s.all().size()}, true};
   if (std::all_of(c.convex.begin(), c.convex.end(), [&c](bool convex) { return convex == c.convex.front(); })) return {{1}, true};
   const auto some = preferred_split(k, c, split_preference::convex);
   if (!some) return {{0}, true};
   std::uint64_t listed = 0;
-  const auto count = [&](const searched_split::diagonals&) { return ++listed > most_listed; };
+  const bool different = has_different_planes(c);
+  const auto count = [&](const searched_split::diagonals& d) {
+    if (!different) {  // two trees may be one forest, and facets that join may cross
+      const auto t = s.tree(d);
+      if (!t || !s.valid(*t)) return false;
+    }
+    return ++listed > most_listed;
+  };
   if (split_search<K, edge_count>(s.signs(), edge_count(true)).for_each(count, 1'000'000)) return {{listed}, true};
-  auto factors = independent_ways(s, some->tree);
+  auto factors = different ? independent_ways(s, some->tree) : std::vector<std::uint64_t>{};
   double product = 1;
   for (const std::uint64_t f : factors) product *= static_cast<double>(f);
   return product > static_cast<double>(listed) ? split_count{std::move(factors), false} : split_count{{listed}, false};

@@ -113,20 +113,20 @@ class corner_signs {
   /// Requires that below and above are of different planes: else the vertices are one point.
   bool is_convex(int a, int b, int below, int above) const { return positive(a, b, below) == (side(below, a, b, above) == sign::positive); }
 
-  /// An edge of facet f with facet `other` that ends in the vertices with the facets in `ends`, -1 for none: it runs on for ever.
+  /// An edge of a facet with facet `other` that ends in the vertices with the facets in `ends`, -1 for none: it runs on for ever.
   struct border {
-    int other;
+    int facet, other;
     std::array<int, 2> ends;
     bool convex;
   };
 
-  /// Whether two edges of facet f cross. Two of which one ends on the line of the other do not.
-  bool cross(int f, const border& x, const border& y) const {
+  /// Whether two edges of one facet, or of facets in one plane, cross. Two of which one ends on the line of the other do not.
+  bool cross(const border& x, const border& y) const {
     const auto ends_on = [this](const border& e, int other) {
       return std::any_of(e.ends.begin(), e.ends.end(), [&](int end) { return end >= 0 && plane(end) == plane(other); });
     };
     if (ends_on(x, y.other) || ends_on(y, x.other)) return false;
-    return x.other != y.other && meets(f, x.other, y.other) && runs_through(f, x, y.other) && runs_through(f, y, x.other);
+    return x.other != y.other && meets(x.facet, x.other, y.other) && runs_through(x, y.other) && runs_through(y, x.other);
   }
 
  private:
@@ -138,10 +138,10 @@ class corner_signs {
     return r == 2 ? m * (m - 1) / 2 : (r == 3 ? m * (m - 1) * (m - 2) / 6 : m * (m - 1) * (m - 2) / 6 * (m - 3) / 4);
   }
 
-  // Whether the point where the lines (f, x.other) and (f, y) meet lies between the ends of x.
-  bool runs_through(int f, const border& x, int y) const {
+  // Whether the line of x meets that with facet y between the ends of x.
+  bool runs_through(const border& x, int y) const {
     for (const int end : x.ends)
-      if (end >= 0 && end != y && (side(end, f, x.other, y) == sign::positive) != (x.convex == positive(f, x.other, end))) return false;
+      if (end >= 0 && end != y && (side(end, x.facet, x.other, y) == sign::positive) != (x.convex == positive(x.facet, x.other, end))) return false;
     return true;
   }
 

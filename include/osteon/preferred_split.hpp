@@ -103,7 +103,7 @@ std::optional<chosen_split> preferred_split(const K& k, const corner& c, split_p
   const bool different = has_different_planes(c);
   if (different && std::all_of(c.convex.begin(), c.convex.end(), [&c](bool convex) { return convex == c.convex.front(); }))
     return chosen(s.tree(only_split(k, c)), true);
-  if (c.degree() <= (different ? greatest_listed_degree : greatest_split_degree)) return chosen(s.best(preference), true);
+  if (c.degree() <= greatest_listed_degree) return chosen(s.best(preference), true);
   if (c.degree() > greatest_remembered_degree)
     throw unsupported_error("not yet: the split of a vertex of degree " + std::to_string(c.degree()) + " with convex and reflex edges (at most " +
                             std::to_string(greatest_remembered_degree) + ")");
@@ -127,25 +127,20 @@ std::optional<chosen_split> preferred_split(const K& k, const corner& c, split_p
     return search(any_tree());
   };
   searched_split found = preferred();
-  const bool proven = different && found.end == search_end::best;
+  const bool proven = found.end == search_end::best;
   for (const bool convex : {true, false})  // any tree is better than none
     if (found.end == search_end::unknown) found = search(edge_count(convex));
-  if (found.end == search_end::unknown || (!different && found.end == search_end::none))
-    throw unsupported_error("not yet: a split of a vertex of degree " + std::to_string(c.degree()) +
-                            (different ? " that takes so many steps to find" : " where facets of one plane must join"));
+  if (found.end == search_end::unknown)
+    throw unsupported_error("not yet: a split of a vertex of degree " + std::to_string(c.degree()) + " that takes so many steps to find");
   return found.end == search_end::none ? std::nullopt : chosen(s.tree(found.tree), proven);
 }
 
 /// One of the valid trees, each with the same chance, by rejection among candidates of split_search; the preferred one of most convex edges where a
-/// thousand of them are rejected. Where facets share a plane it is drawn from the list. Errors as for preferred_split.
+/// thousand of them are rejected. Errors as for preferred_split.
 template <kernel K>
 std::optional<chosen_split> random_split(const K& k, const corner& c, std::uint64_t seed) {
   const splitter<K> s(k, c);
   std::mt19937_64 random(seed);
-  if (!has_different_planes(c)) {
-    std::vector<split_tree> all = s.all();
-    return all.empty() ? std::nullopt : std::optional(chosen_split{std::move(all[random() % all.size()]), true});
-  }
   if (c.degree() <= greatest_remembered_degree) {
     const split_search<K, edge_count> search(s.signs(), edge_count(true));
     for (int tries = 0; tries < 1000 && search.count() > 0; ++tries) {

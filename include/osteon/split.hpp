@@ -108,8 +108,8 @@ class splitter {
   /// All trees that obey the local rule, in the thesis's order. Throws unsupported_error where the degree exceeds greatest_split_degree.
   std::vector<split_tree> candidates() const {
     if (signs_.degree() > greatest_split_degree)
-      throw unsupported_error("not yet: all trees of a vertex of degree " + std::to_string(signs_.degree()) + " with facets in one plane (at most " +
-                              std::to_string(greatest_split_degree) + ")");
+      throw unsupported_error("a list of all trees of a vertex of degree " + std::to_string(signs_.degree()) + " (at most " +
+                              std::to_string(greatest_split_degree) + "); cure: search them");
     std::vector<split_tree> result;
     for_each_triangulation(signs_.degree(), [&](std::span<const std::pair<int, int>> diagonals) {
       split_tree t;

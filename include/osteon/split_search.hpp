@@ -60,9 +60,17 @@ class split_search {
 
   split_search(const corner_signs<K>& signs, Measure measure)
       : s_(signs), k_(signs.degree()), measure_(std::move(measure)), below_(static_cast<std::size_t>(k_) * k_) {
+    for (int f = 0; f < k_; ++f) {
+      int first = 0;
+      while (!same(first, f)) ++first;
+      first_of_.push_back(first);
+      shares_.push_back(first < f);
+      if (first < f) shares_[first] = true;
+    }
     for (int size = 2; size < k_; ++size)
       for (int i = 0; i + size < k_; ++i) fill(i, i + size);
-    root_ = {0, k_ - 1, -1, -1, s_.ray_is_convex(k_ - 1), {{{whole_turns(0), any_phase}, {whole_turns(k_ - 1), any_phase}}}, measure_.none()};
+    root_ = {
+        0, k_ - 1, root, -1, nowhere, s_.ray_is_convex(k_ - 1), {{{whole_turns(0), any_phase}, {whole_turns(k_ - 1), any_phase}}}, measure_.none()};
     bool first = true;
     for (const state& t : at(0, k_ - 1)) {
       if (!fits(t, root_)) continue;
@@ -90,7 +98,7 @@ class split_search {
       std::size_t chosen = 0;
       while (chosen + 1 < all.size() && !(drawn < all[chosen].count)) drawn -= all[chosen++].count;
       const option& o = all[chosen];
-      if (t.above >= 0) result.emplace_back(t.i, t.j);
+      if (t.above != root) result.emplace_back(t.i, t.j);
       for (const task& side : sides(t, o, 0)) waiting.push_back(side);
     }
     std::sort(result.begin(), result.end());
@@ -140,32 +148,45 @@ class split_search {
   using progresses = std::array<progress, 2>;
   static constexpr int any_phase = -1;
 
-  // The trees below (i,j) with this apex, bend of the edge (i,j) and progress of the facets i and j.
+  // What a task has above it, where that is no facet.
+  static constexpr int root = -1;
+  static constexpr int joint = -2;
+  // The end of an edge that runs on for ever.
+  static constexpr int nowhere = -1;
+
+  // The trees below (i,j) with this apex, with an edge (i,j) that bends so and has the third facet `end` at its far end, and with this progress of
+  // the facets i and j. The end is the apex, but where i or j and the apex share a plane the edge goes on between the others. Where i and j share one
+  // there is no edge, and the triangles on both sides of the diagonal are joints.
   struct state {
-    int apex;
+    int apex, end;
     bool convex;
     progresses borders;
     value best;
     Count count;
   };
-  // What is common to trees below a side of a triangle, with the edge across that side.
+  // What is common to trees below a side of a triangle: with the edge across that side, which has both ends then, or, at a joint, without.
   struct summary {
+    int end;  // of a joint's
     bool convex;
     progresses borders;
     value best;
     Count count;
   };
-  // To choose a tree below (i,j); the triangle above has its third facet at `above`, and was chosen at `level`.
+  // To choose a tree below (i,j); the triangle above was chosen at `level`, and its third facet is `above` where the edge (i,j) ends there.
   struct task {
     int i, j, above, level;
+    int end;  // below a joint
     bool convex;
     progresses borders;
     value best;
   };
   // A way to do so: the apex, and what lies below the two sides.
   struct option {
-    int apex;
+    int apex, end;
+    bool convex;
+    progresses borders;
     summary left, right;
+    bool inner_edge;  // i and j share a plane, and the edge that turns round between them at the apex has two ends
     Count count;
   };
   using levels = std::vector<bool>;
@@ -187,76 +208,134 @@ class split_search {
     return measure_.compare(x, y) == sign::positive;
   }
 
-  // Whether the edge (i,j) can end in the vertices with the state's apex and with facet n.
-  bool is_edge(int i, int j, const state& t, int n) const { return s_.plane(t.apex) != s_.plane(n) && t.convex == s_.is_convex(i, j, t.apex, n); }
+  bool same(int f, int g) const { return s_.plane(f) == s_.plane(g); }
+
+  // Whether the edge (i,j) can end in the vertices with the facets `end` and n.
+  bool is_edge(int i, int j, int end, bool convex, int n) const { return !same(end, n) && convex == s_.is_convex(i, j, end, n); }
+
+  template <class Same>
+  void gather(std::vector<summary>& all, const summary& x, Same is_same) const {
+    const auto found = std::find_if(all.begin(), all.end(), is_same);
+    if (found == all.end()) {
+      all.push_back(x);
+    } else {
+      if (better(x.best, found->best)) found->best = x.best;
+      found->count += x.count;
+    }
+  }
+
+  // What lies below the side (i,j) of a joint.
+  std::vector<summary> summarise(int i, int j) const {
+    if (j == i + 1) {
+      const bool convex = s_.ray_is_convex(i);
+      return {{nowhere, convex, {{{0, next_phase(i, 0, convex)}, {0, next_phase(j, 0, convex)}}}, measure_.none(), Count(1)}};
+    }
+    std::vector<summary> result;
+    for (const state& t : at(i, j))
+      gather(result, {t.end, t.convex, t.borders, t.best, t.count},
+             [&t](const summary& x) { return x.end == t.end && x.convex == t.convex && x.borders == t.borders; });
+    return result;
+  }
 
   // What lies below the side (i,j) of the triangle whose third facet is n; convex before reflex.
   std::vector<summary> summarise(int i, int j, int n) const {
-    if (j == i + 1) {
-      const progress p = {0, next_phase(0, s_.ray_is_convex(i))};
-      return {{s_.ray_is_convex(i), {p, p}, measure_.none(), Count(1)}};
-    }
+    if (j == i + 1) return summarise(i, j);
     std::vector<summary> result;
     for (const state& t : at(i, j)) {
-      if (!is_edge(i, j, t, n)) continue;
-      const value best = measure_.with_edge(t.best, t.convex);
-      const auto same = std::find_if(result.begin(), result.end(), [&](const summary& x) { return x.convex == t.convex && x.borders == t.borders; });
-      if (same == result.end()) {
-        result.push_back({t.convex, t.borders, best, t.count});
-      } else {
-        if (better(best, same->best)) same->best = best;
-        same->count += t.count;
-      }
+      if (t.end != nowhere && !is_edge(i, j, t.end, t.convex, n)) continue;
+      gather(result, {nowhere, t.convex, t.borders, t.end == nowhere ? t.best : measure_.with_edge(t.best, t.convex), t.count},
+             [&t](const summary& x) { return x.convex == t.convex && x.borders == t.borders; });
     }
     std::sort(result.begin(), result.end(),
               [](const summary& x, const summary& y) { return x.convex != y.convex ? x.convex : x.borders < y.borders; });
     return result;
   }
 
-  // The phase after one more edge; -1 where that breaks the third rule.
-  int next_phase(int phase, bool convex) const {
-    if (!s_.has_unit_speeds()) return 0;
+  // The phase of facet f's border after one more edge; -1 where that breaks the third rule. Facets that share a plane may join: their borders are not
+  // followed.
+  int next_phase(int f, int phase, bool convex) const {
+    if (!s_.has_unit_speeds() || shares_[f]) return 0;
     if (convex) return phase == 2 ? -1 : 1;
     return phase == 0 ? 0 : 2;
   }
   // Whether the third rule holds for a border of which two parts have been read, each from its own end.
   static bool phases_meet(int x, int y) { return x == 0 || y == 0 || (x == 1 && y == 1); }
 
+  bool borders_meet(int m, int between, const summary& left, const summary& right) const {
+    const progress& l = left.borders[1];
+    const progress& r = right.borders[0];
+    return phases_meet(l.phase, r.phase) && l.turns + r.turns + between == whole_turns(m);
+  }
+
   // The progress of i and j where triangle (i,m,j) joins what is below its sides, or nothing where that breaks a rule.
   std::optional<progresses> join(int i, int m, int j, bool convex, const summary& left, const summary& right) const {
     const bool up = s_.orientation(i, m, j) == sign::positive;
     const int inside = (left.convex == up ? 1 : 0) + (right.convex == up ? 1 : 0) + (convex == up ? 1 : 0);
     if (up != (inside == 0 || inside == 3)) return std::nullopt;
-    if (!phases_meet(left.borders[1].phase, right.borders[0].phase)) return std::nullopt;
-    const progresses result = {{{left.borders[0].turns + wraps(i, m, j, left.convex, convex), next_phase(left.borders[0].phase, convex)},
-                                {right.borders[1].turns + wraps(j, i, m, convex, right.convex), next_phase(right.borders[1].phase, convex)}}};
+    const progresses result = {{{left.borders[0].turns + wraps(i, m, j, left.convex, convex), next_phase(i, left.borders[0].phase, convex)},
+                                {right.borders[1].turns + wraps(j, i, m, convex, right.convex), next_phase(j, right.borders[1].phase, convex)}}};
     if (result[0].phase < 0 || result[1].phase < 0) return std::nullopt;
-    if (left.borders[1].turns + right.borders[0].turns + wraps(m, j, i, right.convex, left.convex) != whole_turns(m)) return std::nullopt;
+    if (!borders_meet(m, wraps(m, j, i, right.convex, left.convex), left, right)) return std::nullopt;
     return result;
+  }
+
+  // Calls visit(option) for every way to put triangle (i,m,j) on what is below its sides.
+  template <class Visit>
+  void for_each_option(int i, int m, int j, Visit visit) const {
+    const int shared = (same(i, m) ? 1 : 0) + (same(m, j) ? 1 : 0) + (same(i, j) ? 1 : 0);
+    if (shared > 1) return;
+    if (shared == 0) {
+      if (!s_.meets(i, m, j)) return;
+      const auto left = summarise(i, m, j);
+      const auto right = summarise(m, j, i);
+      for (const auto& l : left)
+        for (const auto& r : right)
+          for (const bool convex : {true, false})
+            if (const auto borders = join(i, m, j, convex, l, r)) visit(option{m, m, convex, *borders, l, r, false, l.count * r.count});
+      return;
+    }
+    const progress none = {0, 0};
+    const auto left = summarise(i, m);
+    const auto right = summarise(m, j);
+    for (const auto& l : left)
+      for (const auto& r : right) {
+        const Count count = l.count * r.count;
+        if (same(i, m)) {
+          visit(option{m, r.end, r.convex, {none, r.borders[1]}, l, r, false, count});
+        } else if (same(m, j)) {
+          visit(option{m, l.end, l.convex, {l.borders[0], none}, l, r, false, count});
+        } else {
+          const bool inner = l.end != nowhere && r.end != nowhere;
+          if (l.convex != r.convex || !borders_meet(m, 0, l, r)) continue;
+          if (inner && !is_edge(i, m, l.end, l.convex, r.end)) continue;
+          visit(option{m, nowhere, true, {none, none}, l, r, inner, count});
+        }
+      }
+  }
+
+  bool is_corner(int i, int m, int j) const { return !same(i, m) && !same(m, j) && !same(i, j); }
+
+  value value_of(int i, int j, const option& o) {
+    if (is_corner(i, o.apex, j)) return measure_.with_vertex(o.left.best, o.right.best, {i, o.apex, j});
+    const value both = measure_.joined(o.left.best, o.right.best);
+    return o.inner_edge ? measure_.with_edge(both, o.left.convex) : both;
   }
 
   void fill(int i, int j) {
     std::vector<state>& all = at(i, j);
     for (int m = i + 1; m < j; ++m) {
-      if (!s_.meets(i, m, j)) continue;
-      const auto left = summarise(i, m, j);
-      const auto right = summarise(m, j, i);
       const auto first = static_cast<std::ptrdiff_t>(all.size());
-      for (const auto& l : left)
-        for (const auto& r : right)
-          for (const bool convex : {true, false}) {
-            const auto borders = join(i, m, j, convex, l, r);
-            if (!borders) continue;
-            const value best = measure_.with_vertex(l.best, r.best, {i, m, j});
-            const auto same =
-                std::find_if(all.begin() + first, all.end(), [&](const state& x) { return x.convex == convex && x.borders == *borders; });
-            if (same == all.end()) {
-              all.push_back({m, convex, *borders, best, l.count * r.count});
-            } else {
-              if (better(best, same->best)) same->best = best;
-              same->count += l.count * r.count;
-            }
-          }
+      for_each_option(i, m, j, [&](const option& o) {
+        const value best = value_of(i, j, o);
+        const auto known = std::find_if(all.begin() + first, all.end(),
+                                        [&o](const state& x) { return x.end == o.end && x.convex == o.convex && x.borders == o.borders; });
+        if (known == all.end()) {
+          all.push_back({m, o.end, o.convex, o.borders, best, o.count});
+        } else {
+          if (better(best, known->best)) known->best = best;
+          known->count += o.count;
+        }
+      });
     }
   }
 
@@ -267,35 +346,41 @@ class split_search {
       if (made[f].turns != wanted[f].turns || (made[f].phase != wanted[f].phase && wanted[f].phase != any_phase)) return false;
     return true;
   }
-  bool fits(const state& t, const task& w) const {
-    return t.convex == w.convex && agree(t.borders, w.borders) && (w.above < 0 || is_edge(w.i, w.j, t, w.above));
+  template <class Found>  // a state or an option
+  bool fits(const Found& t, const task& w) const {
+    if (t.convex != w.convex || !agree(t.borders, w.borders)) return false;
+    if (w.above == joint) return t.end == w.end;
+    return w.above == root || t.end == nowhere || is_edge(w.i, w.j, t.end, t.convex, w.above);
   }
 
   std::vector<option> options(const task& t) const {
     std::vector<option> result;
-    for (const state& chosen : at(t.i, t.j)) {
-      if (!fits(chosen, t)) continue;
-      const int m = chosen.apex;
-      for (const auto& l : summarise(t.i, m, t.j))
-        for (const auto& r : summarise(m, t.j, t.i))
-          if (const auto made = join(t.i, m, t.j, t.convex, l, r); made && *made == chosen.borders) result.push_back({m, l, r, l.count * r.count});
-    }
+    for (int m = t.i + 1; m < t.j; ++m)
+      if (const auto& all = at(t.i, t.j); std::any_of(all.begin(), all.end(), [&](const state& x) { return x.apex == m && fits(x, t); }))
+        for_each_option(t.i, m, t.j, [&](const option& o) {
+          if (fits(o, t)) result.push_back(o);
+        });
     return result;
   }
 
   // What is to be done below the triangle that an option adds; the smaller part last, which is done first: it fails soonest.
   std::vector<task> sides(const task& t, const option& o, int level) const {
+    const bool corner = is_corner(t.i, o.apex, t.j);
+    const auto below = [&](int i, int j, int n, const summary& x) {
+      return task{i, j, corner ? n : joint, level, x.end, x.convex, x.borders, x.best};
+    };
     std::vector<task> result;
-    if (t.j > o.apex + 1) result.push_back({o.apex, t.j, t.i, level, o.right.convex, o.right.borders, o.right.best});
-    if (o.apex > t.i + 1) result.push_back({t.i, o.apex, t.j, level, o.left.convex, o.left.borders, o.left.best});
+    if (t.j > o.apex + 1) result.push_back(below(o.apex, t.j, t.i, o.right));
+    if (o.apex > t.i + 1) result.push_back(below(t.i, o.apex, t.j, o.left));
     if (o.apex - t.i > t.j - o.apex && result.size() == 2) std::swap(result[0], result[1]);
     return result;
   }
 
-  // What an option adds to the decisions: its triangle, and the edge (i,j).
+  // What an option adds to the decisions: its triangle, and the edges that have both ends now.
   void decide(sum& s, const task& t, const option& o) const {
-    measure_.add_vertex(s, {t.i, o.apex, t.j});
-    if (t.above >= 0) measure_.add_edge(s, t.convex);
+    if (is_corner(t.i, o.apex, t.j)) measure_.add_vertex(s, {t.i, o.apex, t.j});
+    if (o.inner_edge) measure_.add_edge(s, o.left.convex);
+    if (t.above >= 0 && o.end != nowhere) measure_.add_edge(s, t.convex);
   }
   // The best that an option may come to.
   void add_best(sum& s, const task& t, const option& o) const {
@@ -319,16 +404,22 @@ class split_search {
     return than_limit == sign::positive || (than_limit == sign::zero && !strictly_);
   }
 
-  // Calls visit(f, edge) for every edge, seen from both its facets, whose ends are known with an option of task t.
+  // Calls visit(f, edge) for every edge whose ends are known with an option of task t, seen from both its facets; f is the first facet of the same
+  // plane.
   template <class Visit>
   void for_each_edge(const task& t, const option& o, Visit visit) const {
     const auto both = [&](int f, int g, std::array<int, 2> ends, bool convex) {
-      visit(f, {g, ends, convex});
-      visit(g, {f, ends, convex});
+      visit(first_of_[f], {f, g, ends, convex});
+      visit(first_of_[g], {g, f, ends, convex});
     };
-    both(t.i, t.j, {o.apex, t.above}, t.convex);
-    if (o.apex == t.i + 1) both(t.i, o.apex, {t.j, -1}, o.left.convex);
-    if (o.apex == t.j - 1) both(o.apex, t.j, {t.i, -1}, o.right.convex);
+    if (same(t.i, t.j)) {
+      both(t.i, o.apex, {o.left.end, o.right.end}, o.left.convex);
+      return;
+    }
+    if (t.above != joint) both(t.i, t.j, {o.end, t.above}, t.convex);
+    if (!is_corner(t.i, o.apex, t.j)) return;
+    if (o.apex == t.i + 1) both(t.i, o.apex, {t.j, nowhere}, o.left.convex);
+    if (o.apex == t.j - 1) both(o.apex, t.j, {t.i, nowhere}, o.right.convex);
   }
 
   // The first level at which an edge was placed that an edge of the option crosses; -1 where there is none.
@@ -336,7 +427,7 @@ class split_search {
     int first = -1;
     for_each_edge(t, o, [&](int f, const border& e) {
       for (const placed& p : borders_[f])
-        if ((first < 0 || p.level < first) && s_.cross(f, p.edge, e)) first = p.level;
+        if ((first < 0 || p.level < first) && s_.cross(p.edge, e)) first = p.level;
     });
     return first;
   }
@@ -400,7 +491,7 @@ class split_search {
   outcome try_option(const task& t, const option& o, int level, levels& blame) {
     const std::size_t waiting = pending_.size();
     for (const task& side : sides(t, o, level)) pending_.push_back(side);
-    if (t.above >= 0) chosen_.emplace_back(t.i, t.j);
+    if (t.above != root) chosen_.emplace_back(t.i, t.j);
     for_each_edge(t, o, [&](int f, const border& e) { borders_[f].push_back({e, level}); });
     sum before = decided_;
     decide(decided_, t, o);
@@ -410,7 +501,7 @@ class split_search {
     if (const outcome done = descend(level + 1, blame); done != outcome::none) return done;
     decided_ = std::move(before);
     for_each_edge(t, o, [&](int f, const border&) { borders_[f].pop_back(); });
-    if (t.above >= 0) chosen_.pop_back();
+    if (t.above != root) chosen_.pop_back();
     pending_.resize(waiting, root_);
     return outcome::none;
   }
@@ -428,6 +519,7 @@ class split_search {
 
   // How often the turn (of less than half a turn) from the edge with x to that with y passes the first direction: -1, 0 or 1.
   int wraps(int f, int x, int y, bool x_convex, bool y_convex) const {
+    if (shares_[f]) return 0;
     const sign turn = x_convex == y_convex ? s_.orientation(f, x, y) : -s_.orientation(f, x, y);
     const bool low_x = direction(f, x, x_convex) == sign::negative;
     const bool low_y = direction(f, y, y_convex) == sign::negative;
@@ -437,6 +529,7 @@ class split_search {
 
   // What the wraps of facet f must add up to.
   int whole_turns(int f) const {
+    if (shares_[f]) return 0;
     const int last = (f + k_ - 1) % k_;
     return direction(f, last, s_.ray_is_convex(last)) == sign::negative ? -1 : 0;
   }
@@ -444,6 +537,8 @@ class split_search {
   const corner_signs<K>& s_;
   int k_;
   Measure measure_;
+  std::vector<bool> shares_;   // by facet: its plane with another one
+  std::vector<int> first_of_;  // by facet: the first one of its plane
   std::vector<std::vector<state>> below_;
   task root_;
   Count count_ = 0;

@@ -24,6 +24,7 @@ struct any_tree {
   value none() const { return 0; }
   value with_edge(value, bool) const { return 0; }
   value with_vertex(value, value, const std::array<int, 3>&) const { return 0; }
+  value joined(value, value) const { return 0; }
   void add(sum&, value) const {}
   void add_edge(sum&, bool) const {}
   void add_vertex(sum&, const std::array<int, 3>&) const {}
@@ -41,6 +42,7 @@ class edge_count {
   value none() const { return 0; }
   value with_edge(value v, bool convex) const { return v + (convex == convex_ ? 1 : 0); }
   value with_vertex(value left, value right, const std::array<int, 3>&) const { return left + right; }
+  value joined(value left, value right) const { return left + right; }
   void add(sum& s, value v) const { s += v; }
   void add_edge(sum& s, bool convex) const { s += convex == convex_ ? 1 : 0; }
   void add_vertex(sum&, const std::array<int, 3>&) const {}
@@ -68,13 +70,14 @@ class offset_volume {
   value none() const { return nullptr; }
   value with_edge(value v, bool) const { return v; }
   value with_vertex(value left, value right, const std::array<int, 3>& facets) { return &parts_.emplace_back(part{left, right, planes(facets)}); }
+  value joined(value left, value right) { return &parts_.emplace_back(part{left, right, nothing}); }
   void add(sum& s, value v) const {
     std::vector<value> waiting = {v};
     while (!waiting.empty()) {
       const value p = waiting.back();
       waiting.pop_back();
       if (p == nullptr) continue;
-      s.push_back(p->vertex);
+      if (p->vertex != nothing) s.push_back(p->vertex);
       waiting.push_back(p->left);
       waiting.push_back(p->right);
     }
@@ -94,6 +97,8 @@ class offset_volume {
   }
 
  private:
+  static constexpr triple nothing = {-1, -1, -1};
+
   triple planes(const std::array<int, 3>& f) const { return {signs_.plane(f[0]), signs_.plane(f[1]), signs_.plane(f[2])}; }
 
   const corner_signs<K>& signs_;
