@@ -169,11 +169,23 @@ TEST(SplitSearch, AgreesWithTheListWhereFacetsShareAPlane) {
       const splitter s(kernel, c->of);
       std::set<diagonals> valid;
       std::array<int, 2> most = {-1, -1};
+      std::array<std::optional<split_tree>, 2> extreme;
+      const auto planes = [&c](const split_tree& t) {
+        std::vector<triple> result;
+        for (const auto& v : t.vertices) {
+          auto& made = result.emplace_back();
+          for (std::size_t r = 0; r < 3; ++r) made[r] = c->of.facets[static_cast<std::size_t>(v[r])];
+        }
+        return result;
+      };
       for (const split_tree& t : s.all()) {
         valid.insert(t.operations);
         joined += t.vertices.size() + 2 < static_cast<std::size_t>(k) ? 1 : 0;
         most[0] = std::max(most[0], t.convex_edges());
         most[1] = std::max(most[1], t.reflex_edges());
+        for (const std::size_t side : {0U, 1U})
+          if (!extreme[side] || kernel.compare_volume(planes(t), planes(*extreme[side])) == (side == 0 ? sign::negative : sign::positive))
+            extreme[side] = t;
       }
       split_search<K, edge_count, std::uint64_t> search(s.signs(), edge_count(true));
       const auto accepts = [&s](const diagonals& d) {
@@ -189,6 +201,12 @@ TEST(SplitSearch, AgreesWithTheListWhereFacetsShareAPlane) {
         if (valid.empty()) continue;
         const auto t = s.tree(best.tree);
         ASSERT_EQ(convex ? t->convex_edges() : t->reflex_edges(), most[convex ? 0 : 1]);
+      }
+      for (const bool greatest : {false, true}) {
+        const auto best = split_search<K, offset_volume<K>>(s.signs(), offset_volume<K>(s.signs(), greatest)).best(accepts);
+        ASSERT_EQ(best.end, valid.empty() ? search_end::none : search_end::best);
+        if (valid.empty()) continue;
+        ASSERT_EQ(kernel.compare_volume(planes(*s.tree(best.tree)), planes(*extreme[greatest ? 1 : 0])), sign::zero);
       }
     }
   EXPECT_GE(corners, 500);
