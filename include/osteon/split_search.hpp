@@ -58,6 +58,8 @@ class split_search {
   using diagonals = searched_split::diagonals;
   using visitor = std::function<bool(const diagonals&)>;
 
+  split_search(const split_search&) = delete;  // values may point into the measure
+  split_search& operator=(const split_search&) = delete;
   split_search(const corner_signs<K>& signs, Measure measure)
       : s_(signs), k_(signs.degree()), measure_(std::move(measure)), below_(static_cast<std::size_t>(k_) * k_) {
     for (int f = 0; f < k_; ++f) {
