@@ -198,6 +198,7 @@ static_assert(kernel<hides_nothing_wrong>);
 
 struct graded_archetype {
   static constexpr bool exact = true;
+  static constexpr int dimension = 3;
   using meeting = weakest::meeting;
   using bisector_type = weakest::bisector_type;
 

@@ -330,6 +330,7 @@ TEST(Filter, ErrorBoundHoldsForTheFormulas) {
 class counted_roots {
  public:
   static constexpr bool exact = true;
+  static constexpr int dimension = 3;
   using meeting = sqrt_kernel::meeting;
   using bisector_type = sqrt_kernel::bisector_type;
 

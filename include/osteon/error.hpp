@@ -18,7 +18,7 @@ struct error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What can be wrong with a solid or with the file it comes from.
+/// What can be wrong with a solid or a polygon, or with the file it comes from.
 enum class input_fault : std::uint8_t {
   unreadable,           ///< the file cannot be opened or read
   empty,                ///< no points or no facets
@@ -41,10 +41,16 @@ enum class input_fault : std::uint8_t {
   self_intersection,    ///< two facets meet where they should not
   weight_not_positive,  ///< the weight of a facet is not greater than zero
   weight_conflict,      ///< adjacent coplanar facets with different weights
-  not_skeleton          ///< a text that is no skeleton document
+  not_skeleton,         ///< a text that is no skeleton document
+  not_polygon,          ///< a text or geometry that is no polygon
+  short_ring,           ///< a ring with fewer than three different points
+  spike,                ///< a boundary that turns back on itself
+  pinched,              ///< a polygon whose interior falls apart where its boundary touches itself
+  misplaced_ring,       ///< a hole that is not directly inside its outer ring, or a part inside another part
+  bad_weight            ///< the weight of an edge is less than zero, or missing
 };
 
-/// The input is not a solid. `element` is the point's, facet's or line's number, counted from one, or 0.
+/// The input is not a solid or polygon. `element` is the point's, facet's or line's number, counted from one, or 0.
 struct input_error : error {
   input_error(input_fault f, std::size_t number, const std::string& what, std::string remedy)
       : error(what + "; cure: " + remedy), fault(f), element(number), cure(std::move(remedy)) {}

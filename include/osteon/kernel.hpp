@@ -28,6 +28,11 @@ using plane_id = std::int32_t;
 /// Three planes: a vertex. Four planes: an event.
 using triple = std::array<plane_id, 3>;
 using quadruple = std::array<plane_id, 4>;
+/// As many planes as meet in a vertex and in an event, in space of this dimension.
+template <int Dimension>
+using corner_planes = std::array<plane_id, Dimension>;
+template <int Dimension>
+using meeting_planes = std::array<plane_id, Dimension + 1>;
 
 /// Hash of a list of planes (multiplicative, after Knuth, TAOCP 6.4).
 struct plane_hash {
@@ -96,12 +101,12 @@ concept kernel = std::copyable<typename K::meeting> &&
   { k.compare_volume(tree, tree) } -> std::same_as<sign>;
 };
 
-/// A kernel whose predicates can be asked for the coefficient of any power of an infinitesimal, which is what the
+/// A kernel, of space or of the plane, whose predicates can be asked for the coefficient of any power of an infinitesimal, which is what the
 /// adaptor `perturbed` needs (design 04). Grade 0 is the unperturbed predicate; plane i is taken as
 /// n_i + e^2 u_i, d_i + e delta_i with fixed integers u_i, delta_i; the answer is the coefficient of e^grade. Where the orientation of a
 /// corner is zero, side answers zero.
 template <class K>
-concept graded_kernel = kernel<K> && requires(const K& k, int grade, const triple& t, const quadruple& q) {
+concept graded_kernel = requires(const K& k, int grade, const corner_planes<K::dimension>& t, const meeting_planes<K::dimension>& q) {
   { k.orientation_at(grade, t) } -> std::same_as<sign>;
   { k.offset_at(grade, q) } -> std::same_as<sign>;    // of D
   { k.closing_at(grade, q) } -> std::same_as<sign>;   // of S
@@ -110,8 +115,10 @@ concept graded_kernel = kernel<K> && requires(const K& k, int grade, const tripl
   { k.meeting_of(q) } -> std::same_as<typename K::meeting>;
 };
 
-/// The highest power of the infinitesimal in which D, S and their products have coefficients: lambda has degree 3 in
+/// The highest power of the infinitesimal in which D, S and their products have coefficients: lambda has degree 3 (the dimension) in
 /// e^2, D one more in e, so D has degree 7, S 6 and D S 13.
-inline constexpr int highest_grade = 13;
+template <int Dimension>
+inline constexpr int highest_grade_in = 4 * Dimension + 1;
+inline constexpr int highest_grade = highest_grade_in<3>;
 
 }  // namespace osteon

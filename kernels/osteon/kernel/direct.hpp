@@ -24,10 +24,17 @@
 
 namespace osteon {
 
-/// The four planes of a meeting in ascending order; {-1,-1,-1,-1} is the start.
-inline constexpr quadruple start_planes = {-1, -1, -1, -1};
+/// What stands for the planes of the start.
+template <int Dimension>
+inline constexpr meeting_planes<Dimension> start_planes_in = [] {
+  meeting_planes<Dimension> none{};
+  for (plane_id& p : none) p = -1;
+  return none;
+}();
 
-inline quadruple ascending(quadruple q) {
+/// The planes of a meeting in their usual order.
+template <std::size_t N>
+std::array<plane_id, N> ascending(std::array<plane_id, N> q) {
   std::sort(q.begin(), q.end());
   return q;
 }
@@ -51,10 +58,11 @@ struct rough_point {
   integer radius;
 };
 
-/// What an exact kernel remembers of four planes (ascending): D, S within `error`, and D / S, which lies within `radius` of
+/// What an exact kernel remembers of the planes of a meeting (ascending): D, S within `error`, and D / S, which lies within `radius` of
 /// time + rest. Solids that are almost symmetric have events at times that differ in the fifteenth digit and later.
+template <int Dimension>
 struct remembered_planes {
-  quadruple support;  ///< the planes whose lambda is not zero; -1 for the others
+  meeting_planes<Dimension> support;  ///< the planes whose lambda is not zero; -1 for the others
   integer offset;
   integer speed;
   integer error;
@@ -68,28 +76,30 @@ struct remembered_planes {
 /// An arithmetic that can bound S cheaply: rough_speed(lambda, q) gives a value and its greatest error, in units of
 /// 2^-speed_bits; rough_speed(p) that of one plane, less than a unit too small.
 template <class Arithmetic>
-concept rough_arithmetic = requires(const Arithmetic& a, const std::array<integer, 4>& lambda, const quadruple& q) {
+concept rough_arithmetic = requires(const Arithmetic& a, const std::array<integer, Arithmetic::dimension + 1>& lambda,
+                                    const meeting_planes<Arithmetic::dimension>& q) {
   { a.rough_speed(lambda, q) } -> std::same_as<std::pair<integer, integer>>;
   { a.rough_speed(q[0]) } -> std::convertible_to<integer>;
 };
 
-/// Sign of the permutation that sorts four different planes.
-inline sign parity(const quadruple& q) {
-  int inversions = 0;
-  for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j) inversions += q[i] > q[j] ? 1 : 0;
-  return inversions % 2 == 0 ? sign::positive : sign::negative;
+/// Sign of the permutation that sorts different planes.
+template <std::size_t N>
+sign parity(std::array<plane_id, N> q) {
+  return sort_with_parity(q);
 }
 
-/// Kernel over an `Arithmetic` (see forms.hpp) with, in addition, `is_exact`, decide_offset(D), which tells whether planes
+/// Kernel of space or of the plane over an `Arithmetic` (see forms.hpp) with, in addition, `is_exact`, decide_offset(D), which tells whether planes
 /// meet at time zero, angle_order(a, b, c, d) and volume_order(tree, tree). Nothing is cached: a predicate costs its formula.
 template <class Arithmetic>
 class direct_kernel {
  public:
   static constexpr bool exact = Arithmetic::is_exact;
+  static constexpr int dimension = Arithmetic::dimension;
+  using corner = corner_planes<dimension>;
+  using support = meeting_planes<dimension>;
 
   struct meeting {
-    quadruple planes;
+    support planes;
     sign closing;
   };
   using bisector_type = swept_plane;
@@ -100,18 +110,21 @@ class direct_kernel {
   plane_id size() const { return f_.arithmetic().size(); }
   bool has_unit_speeds() const requires requires(const Arithmetic& a) { a.has_unit_speeds(); }
   { return f_.arithmetic().has_unit_speeds(); }
-  sign orientation(plane_id a, plane_id b, plane_id c) const { return f_.orientation_at(0, {a, b, c}); }
-  bool transversal(plane_id a, plane_id b, plane_id c) const { return orientation(a, b, c) != sign::zero; }
+  template <std::same_as<plane_id>... Planes>
+  requires(sizeof...(Planes) == dimension) sign orientation(Planes... of)
+  const { return f_.orientation_at(0, {of...}); }
+  template <std::same_as<plane_id>... Planes>
+  requires(sizeof...(Planes) == dimension) bool transversal(Planes... of) const { return orientation(of...) != sign::zero; }
 
-  meeting meeting_of(const quadruple& q) const {
-    const quadruple s = ascending(q);
+  meeting meeting_of(const support& q) const {
+    const support s = ascending(q);
     return {s, closing_at(0, s)};
   }
-  std::optional<meeting> meet(const quadruple& q) const {
+  std::optional<meeting> meet(const support& q) const {
     const meeting m = meeting_of(q);
     return m.closing == sign::zero ? std::nullopt : std::optional(m);
   }
-  quadruple planes(const meeting& m) const { return m.planes; }
+  support planes(const meeting& m) const { return m.planes; }
   sign closing(const meeting& m) const { return m.closing; }
   meeting start() const { return {start_planes, sign::positive}; }
 
@@ -122,32 +135,33 @@ class direct_kernel {
     return cross_at(0, m.planes, n.planes) * m.closing * n.closing;
   }
 
-  sign side(plane_id d, plane_id a, plane_id b, plane_id c, const meeting& m) const {
-    const quadruple q{a, b, c, d};
-    const sign corner = orientation(a, b, c);
-    return (m.planes == start_planes ? -closing_at(0, q) : cross_at(0, q, m.planes) * m.closing) * corner;
-  }
+  sign side(plane_id d, plane_id a, plane_id b, plane_id c, const meeting& m) const requires(dimension == 3) { return side_of({a, b, c, d}, m); }
+  sign side(plane_id c, plane_id a, plane_id b, const meeting& m) const requires(dimension == 2) { return side_of({a, b, c}, m); }
 
   bisector_type bisector(plane_id a, plane_id b) const { return {a, b}; }
-  sign compare(const bisector_type& e, const bisector_type& f) const { return f_.arithmetic().angle_order(e.a, e.b, f.a, f.b); }
-  sign compare_volume(std::span<const triple> s, std::span<const triple> t) const { return f_.arithmetic().volume_order(s, t); }
+  sign compare(const bisector_type& e, const bisector_type& f) const requires(dimension == 3) {
+    return f_.arithmetic().angle_order(e.a, e.b, f.a, f.b);
+  }
+  sign compare_volume(std::span<const triple> s, std::span<const triple> t) const requires(dimension == 3) {
+    return f_.arithmetic().volume_order(s, t);
+  }
 
-  sign orientation_at(int grade, const triple& t) const { return f_.orientation_at(grade, t); }
-  sign offset_at(int grade, const quadruple& q) const { return f_.offset_at(grade, q); }
-  sign closing_at(int grade, const quadruple& q) const {
+  sign orientation_at(int grade, const corner& c) const { return f_.orientation_at(grade, c); }
+  sign offset_at(int grade, const support& q) const { return f_.offset_at(grade, q); }
+  sign closing_at(int grade, const support& q) const {
     if constexpr (rough_arithmetic<Arithmetic>)
       if (grade == 0) {
-        const remembered_planes& known = recall(ascending(q));
+        const remembered_planes<dimension>& known = recall(ascending(q));
         if (abs(known.speed) > known.error) return parity(q) * sign_of(known.speed);
       }
     return f_.closing_at(grade, q);
   }
-  sign cross_at(int grade, const quadruple& q, const quadruple& r) const {
+  sign cross_at(int grade, const support& q, const support& r) const {
     if constexpr (rough_arithmetic<Arithmetic>)
       if (grade <= 2) {
         if (memory_.size() > most_remembered) memory_.clear();  // only here, so that both references below live
-        const remembered_planes& a = recall(ascending(q));
-        const remembered_planes& b = recall(ascending(r));
+        const remembered_planes<dimension>& a = recall(ascending(q));
+        const remembered_planes<dimension>& b = recall(ascending(r));
         // Less than four normals have one linear dependency at most, so equal supports mean proportional lambdas.
         if (grade < 2 && a.support == b.support && std::find(a.support.begin(), a.support.end(), -1) != a.support.end()) return sign::zero;
         if (grade == 0) {
@@ -169,17 +183,17 @@ class direct_kernel {
   }
 
   /// D and S of four planes in this order, S without the bits lost by its rounding; nothing where those could matter.
-  std::optional<std::pair<integer, integer>> refined(const quadruple& q) const requires rough_arithmetic<Arithmetic> {
+  std::optional<std::pair<integer, integer>> refined(const support& q) const requires rough_arithmetic<Arithmetic> {
     if (memory_.size() > most_remembered) memory_.clear();
-    const remembered_planes& known = recall(ascending(q));
+    const remembered_planes<dimension>& known = recall(ascending(q));
     if (abs(known.speed) >> 60U <= known.error && known.error != 0) return std::nullopt;
     if (parity(q) == sign::positive) return std::pair(known.offset, known.speed);
     return std::pair(integer(-known.offset), integer(-known.speed));
   }
   /// Sign of h_d at the point where the planes of q (ascending) meet; zero where that is not certain.
-  sign rough_side(plane_id d, const quadruple& q) const requires rough_arithmetic<Arithmetic> {
+  sign rough_side(plane_id d, const quadruple& q) const requires(dimension == 3 && rough_arithmetic<Arithmetic>) {
     const auto& a = f_.arithmetic();
-    const remembered_planes& known = recall(q);
+    const remembered_planes<dimension>& known = recall(q);
     if (!known.where) known.where = locate(q, known);
     const rough_point& at = *known.where;
     if (at.radius < 0) return sign::zero;
@@ -200,17 +214,26 @@ class direct_kernel {
   static constexpr int speed_bits = Arithmetic::speed_bits;
 
  private:
+  static constexpr support start_planes = start_planes_in<dimension>;
+
+  // The corner of all planes but the last against the last.
+  sign side_of(const support& q, const meeting& m) const {
+    corner c{};
+    std::copy_n(q.begin(), dimension, c.begin());
+    return (m.planes == start_planes ? -closing_at(0, q) : cross_at(0, q, m.planes) * m.closing) * f_.orientation_at(0, c);
+  }
+
   sign after_start(const meeting& m) const {
     return f_.arithmetic().decide_offset(f_.offset(0, m.planes)) * m.closing == sign::positive ? sign::positive : sign::negative;
   }
 
   static constexpr std::size_t most_remembered = 1U << 18U;
 
-  const remembered_planes& recall(const quadruple& q) const {
+  const remembered_planes<dimension>& recall(const support& q) const {
     const auto [at, fresh] = memory_.try_emplace(q);
     if (fresh) {
       const auto lambda = f_.lambda(0, q);
-      for (int r = 0; r < 4; ++r) {
+      for (int r = 0; r <= dimension; ++r) {
         at->second.support[r] = lambda[r] == 0 ? -1 : q[r];
         at->second.offset += lambda[r] * f_.arithmetic().d(q[r]);
       }
@@ -221,11 +244,11 @@ class direct_kernel {
     return at->second;
   }
 
-  const tilted_planes& recall_tilted(const remembered_planes& p, const quadruple& q) const {
+  const tilted_planes& recall_tilted(const remembered_planes<dimension>& p, const support& q) const {
     if (!p.tilted) {
       const auto lambda = f_.lambda(1, q);
       p.tilted.emplace();
-      for (int r = 0; r < 4; ++r) p.tilted->offset += lambda[r] * f_.arithmetic().d(q[r]);
+      for (int r = 0; r <= dimension; ++r) p.tilted->offset += lambda[r] * f_.arithmetic().d(q[r]);
       std::tie(p.tilted->speed, p.tilted->error) = f_.arithmetic().rough_speed(lambda, q);
     }
     return *p.tilted;
@@ -233,7 +256,7 @@ class direct_kernel {
 
   // The point is the solution for three of the planes, those with the greatest lambda: with t = D / S,
   //     lambda S x = sum (d_i S - D sigma_i) n_j x n_k.
-  rough_point locate(const quadruple& q, const remembered_planes& known) const {
+  rough_point locate(const quadruple& q, const remembered_planes<3>& known) const {
     const auto& a = f_.arithmetic();
     const auto lambda = f_.lambda(0, q);
     int omitted = 0;
@@ -241,7 +264,7 @@ class direct_kernel {
       if (abs(lambda[r]) > abs(lambda[omitted])) omitted = r;
     triple t{};
     std::remove_copy(q.begin(), q.end(), t.begin(), q[omitted]);
-    const integer det = f_.minor(0, t[0], t[1], t[2]);
+    const integer det = f_.minor(0, t);
     const integer below = (abs(known.speed) - known.error) * abs(det);
     rough_point at{{}, 0, -1};
     if (sign_of(below) != sign::positive) return at;
@@ -271,7 +294,7 @@ class direct_kernel {
   }
 
   // D / S in two doubles: rounded at the 128th bit of a quotient of at least 128 bits, then at the 106th.
-  static void set_time(remembered_planes& p) {
+  static void set_time(remembered_planes<dimension>& p) {
     const integer size = abs(p.speed);
     if (size >> 8U <= p.error) return;
     const int shift = std::max(0, 128 + bit_length(p.speed) - bit_length(p.offset));
@@ -285,7 +308,7 @@ class direct_kernel {
   }
 
   formulas<Arithmetic> f_;
-  mutable std::unordered_map<quadruple, remembered_planes, plane_hash> memory_;
+  mutable std::unordered_map<support, remembered_planes<dimension>, plane_hash> memory_;
 };
 
 }  // namespace osteon

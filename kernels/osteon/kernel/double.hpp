@@ -11,14 +11,16 @@
 
 namespace osteon {
 
-class double_arithmetic : public estimated_planes {
+template <int Dimension>
+class basic_double_arithmetic : public estimated_planes<Dimension> {
  public:
+  using estimated_planes<Dimension>::plane;
   static constexpr bool is_exact = false;
   static constexpr int speed_bits = 0;
-  using estimated_planes::estimated_planes;
+  using estimated_planes<Dimension>::estimated_planes;
 
   sign decide(const estimate& x) const { return sign_of(x.value); }
-  sign decide(const linear_form<estimate>& f) const { return sign_of(value(f).value); }
+  sign decide(const linear_form<estimate>& f) const { return sign_of(this->value(f).value); }
   /// Planes that meet at time zero, as all at one vertex do, leave nothing but rounding errors.
   sign decide_offset(const estimate& x) const { return x.certain_sign().value_or(sign::zero); }
 
@@ -46,8 +48,13 @@ class double_arithmetic : public estimated_planes {
   double cosine(plane_id a, plane_id b) const { return dot(a, b) / std::sqrt(dot(a, a) * dot(b, b)); }
 };
 
+using double_arithmetic = basic_double_arithmetic<3>;
 using double_kernel = direct_kernel<double_arithmetic>;
+using planar_double_kernel = direct_kernel<basic_double_arithmetic<2>>;
 
 inline double_kernel make_double_kernel(std::span<const moving_plane<integer>> planes) { return double_kernel(double_arithmetic(planes)); }
+inline planar_double_kernel make_double_kernel(std::span<const moving_line<integer>> lines) {
+  return planar_double_kernel(basic_double_arithmetic<2>(lines));
+}
 
 }  // namespace osteon

@@ -59,16 +59,18 @@ struct estimate {
 };
 
 /// Planes as estimates.
+template <int Dimension>
 class estimated_planes {
  public:
+  static constexpr int dimension = Dimension;
   using number = estimate;
 
-  explicit estimated_planes(std::span<const moving_plane<integer>> planes) : planes_(round_planes(planes)) {
+  explicit estimated_planes(std::span<const moving_plane<integer, Dimension>> planes) : planes_(round_planes<Dimension>(planes)) {
     for (const auto& p : planes_) unscaled_ = unscaled_ && p.unscaled;
   }
 
   plane_id size() const { return static_cast<plane_id>(planes_.size()); }
-  const rounded_plane& plane(plane_id i) const { return planes_[i]; }
+  const rounded_plane<Dimension>& plane(plane_id i) const { return planes_[i]; }
   /// Whether no plane had to be scaled to fit into doubles.
   bool unscaled() const { return unscaled_; }
   estimate n(plane_id i, int axis) const { return estimate::input(planes_[i].n[axis], planes_[i].exact, planes_[i].fit); }
@@ -84,7 +86,7 @@ class estimated_planes {
   }
 
  private:
-  std::vector<rounded_plane> planes_;
+  std::vector<rounded_plane<Dimension>> planes_;
   bool unscaled_ = true;
 };
 

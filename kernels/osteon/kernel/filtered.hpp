@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <span>
@@ -18,22 +19,27 @@
 namespace osteon {
 
 /// Signs that are certain, or nothing.
-class filter_arithmetic : public estimated_planes {
+template <int Dimension>
+class basic_filter_arithmetic : public estimated_planes<Dimension> {
  public:
-  using estimated_planes::estimated_planes;
+  using estimated_planes<Dimension>::estimated_planes;
   std::optional<sign> decide(const estimate& x) const { return x.certain_sign(); }
-  std::optional<sign> decide(const linear_form<estimate>& f) const { return value(f).certain_sign(); }
+  std::optional<sign> decide(const linear_form<estimate>& f) const { return this->value(f).certain_sign(); }
 };
+using filter_arithmetic = basic_filter_arithmetic<3>;
 
 /// K with a floating-point filter in front. The same answers as K, always.
 template <class K>
 class filtered {
  public:
   static constexpr bool exact = K::exact;
+  static constexpr int dimension = K::dimension;
+  using corner = corner_planes<dimension>;
+  using support = meeting_planes<dimension>;
 
   /// D and S as estimates, and an interval that certainly contains D / S.
   struct meeting {
-    quadruple planes;
+    support planes;
     sign closing;
     estimate offset;
     estimate speed;
@@ -42,16 +48,20 @@ class filtered {
   };
   using bisector_type = typename K::bisector_type;
 
-  filtered(std::span<const moving_plane<integer>> planes, K exact_kernel) : fast_(filter_arithmetic(planes)), exact_(std::move(exact_kernel)) {}
+  filtered(std::span<const moving_plane<integer, K::dimension>> planes, K exact_kernel)
+      : fast_(basic_filter_arithmetic<dimension>(planes)), exact_(std::move(exact_kernel)) {}
   const K& base() const { return exact_; }
 
   plane_id size() const { return exact_.size(); }
   bool has_unit_speeds() const requires requires(const K& k) { k.has_unit_speeds(); }
   { return exact_.has_unit_speeds(); }
-  sign orientation(plane_id a, plane_id b, plane_id c) const { return orientation_at(0, {a, b, c}); }
-  bool transversal(plane_id a, plane_id b, plane_id c) const { return orientation(a, b, c) != sign::zero; }
+  template <std::same_as<plane_id>... Planes>
+  requires(sizeof...(Planes) == dimension) sign orientation(Planes... of)
+  const { return orientation_at(0, {of...}); }
+  template <std::same_as<plane_id>... Planes>
+  requires(sizeof...(Planes) == dimension) bool transversal(Planes... of) const { return orientation(of...) != sign::zero; }
 
-  meeting meeting_of(const quadruple& q) const {
+  meeting meeting_of(const support& q) const {
     meeting m = estimated(ascending(q));
     refine(m);
     bound_time(m);
@@ -59,11 +69,11 @@ class filtered {
     m.closing = s ? *s : exact_.closing_at(0, m.planes);
     return m;
   }
-  std::optional<meeting> meet(const quadruple& q) const {
+  std::optional<meeting> meet(const support& q) const {
     const meeting m = meeting_of(q);
     return m.closing == sign::zero ? std::nullopt : std::optional(m);
   }
-  quadruple planes(const meeting& m) const { return m.planes; }
+  support planes(const meeting& m) const { return m.planes; }
   sign closing(const meeting& m) const { return m.closing; }
   meeting start() const { return {start_planes, sign::positive, estimate(0), estimate(1), 0, 0}; }
 
@@ -76,51 +86,56 @@ class filtered {
     return cross(m, n) * m.closing * n.closing;
   }
 
-  sign side(plane_id d, plane_id a, plane_id b, plane_id c, const meeting& m) const {
-    const sign corner = orientation(a, b, c);
-    const quadruple q{a, b, c, d};
-    if (corner == sign::zero) return sign::zero;
-    if (m.planes == start_planes) return -closing_at(0, q) * corner;
-    meeting other = estimated(q);
-    if (const auto s = quick_cross(other, m)) return *s * m.closing * corner;
-    if constexpr (requires { exact_.rough_side(d, m.planes); }) {
-      const auto meets = [&m](plane_id p) { return std::find(m.planes.begin(), m.planes.end(), p) != m.planes.end(); };
-      if (meets(a) && meets(b) && meets(c))
-        if (const sign s = exact_.rough_side(d, m.planes); s != sign::zero) return s;
-    }
-    refine(other);
-    return cross(other, m) * m.closing * corner;
-  }
+  sign side(plane_id d, plane_id a, plane_id b, plane_id c, const meeting& m) const requires(dimension == 3) { return side_of({a, b, c, d}, m); }
+  sign side(plane_id c, plane_id a, plane_id b, const meeting& m) const requires(dimension == 2) { return side_of({a, b, c}, m); }
 
   bisector_type bisector(plane_id a, plane_id b) const { return exact_.bisector(a, b); }
-  sign compare(const bisector_type& e, const bisector_type& f) const { return exact_.compare(e, f); }
-  sign compare_volume(std::span<const triple> s, std::span<const triple> t) const { return exact_.compare_volume(s, t); }
+  sign compare(const bisector_type& e, const bisector_type& f) const requires(dimension == 3) { return exact_.compare(e, f); }
+  sign compare_volume(std::span<const triple> s, std::span<const triple> t) const requires(dimension == 3) { return exact_.compare_volume(s, t); }
 
-  sign orientation_at(int grade, const triple& t) const {
+  sign orientation_at(int grade, const corner& t) const {
     const auto s = fast_.orientation_at(grade, t);
     return s ? *s : exact_.orientation_at(grade, t);
   }
-  sign offset_at(int grade, const quadruple& q) const {
+  sign offset_at(int grade, const support& q) const {
     const auto s = fast_.offset_at(grade, q);
     return s ? *s : exact_.offset_at(grade, q);
   }
-  sign closing_at(int grade, const quadruple& q) const {
+  sign closing_at(int grade, const support& q) const {
     const auto s = fast_.closing_at(grade, q);
     return s ? *s : exact_.closing_at(grade, q);
   }
-  sign cross_at(int grade, const quadruple& q, const quadruple& r) const {
+  sign cross_at(int grade, const support& q, const support& r) const {
     const auto s = fast_.cross_at(grade, q, r);
     return s ? *s : exact_.cross_at(grade, q, r);
   }
 
  private:
+  static constexpr support start_planes = start_planes_in<dimension>;
+
+  // The corner of all planes but the last against the last.
+  sign side_of(const support& q, const meeting& m) const {
+    corner c{};
+    std::copy_n(q.begin(), dimension, c.begin());
+    const sign turn = orientation_at(0, c);
+    if (turn == sign::zero) return sign::zero;
+    if (m.planes == start_planes) return -closing_at(0, q) * turn;
+    meeting other = estimated(q);
+    if (const auto s = quick_cross(other, m)) return *s * m.closing * turn;
+    if constexpr (requires { exact_.rough_side(q.back(), m.planes); })
+      if (std::all_of(c.begin(), c.end(), [&m](plane_id p) { return std::find(m.planes.begin(), m.planes.end(), p) != m.planes.end(); }))
+        if (const sign s = exact_.rough_side(q.back(), m.planes); s != sign::zero) return s;
+    refine(other);
+    return cross(other, m) * m.closing * turn;
+  }
+
   // D and S; the sign of S and the time's interval still open.
-  meeting estimated(const quadruple& q) const {
+  meeting estimated(const support& q) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto& a = fast_.arithmetic();
     const auto lambda = fast_.lambda(0, q);
     meeting m{q, sign::zero, estimate(0), estimate(0), -infinity, infinity};
-    for (int r = 0; r < 4; ++r) {
+    for (int r = 0; r <= dimension; ++r) {
       m.offset = m.offset + lambda[r] * a.d(q[r]);
       m.speed = m.speed + lambda[r] * a.speed(q[r]);
     }
@@ -162,7 +177,7 @@ class filtered {
     return s ? *s : exact_.offset_at(0, m.planes);
   }
 
-  formulas<filter_arithmetic> fast_;
+  formulas<basic_filter_arithmetic<dimension>> fast_;
   K exact_;
 };
 

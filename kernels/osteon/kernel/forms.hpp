@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -40,6 +42,17 @@ struct perturbation {
   }
 };
 
+/// Sorts planes; the sign of the permutation that does it.
+inline sign sort_with_parity(std::span<plane_id> planes) {
+  sign parity = sign::positive;
+  for (std::size_t i = 1; i < planes.size(); ++i)
+    for (std::size_t j = i; j > 0 && planes[j - 1] > planes[j]; --j) {
+      std::swap(planes[j - 1], planes[j]);
+      parity = -parity;
+    }
+  return parity;
+}
+
 /// A linear form sum c_i sigma_i over at most eight planes.
 template <class Number>
 struct linear_form {
@@ -61,67 +74,78 @@ struct linear_form {
   }
 };
 
-/// `Arithmetic` has: number (a ring), plane_count(), n(i, axis), d(i), u(i, axis), delta(i) giving numbers, and
+/// `Arithmetic` has: dimension (2 or 3), number (a ring), n(i, axis), d(i), u(i, axis), delta(i) giving numbers, and
 /// decide(number), decide(linear_form) giving sign or optional<sign>.
 template <class Arithmetic>
 class formulas {
  public:
+  static constexpr int dimension = Arithmetic::dimension;
+  using corner = corner_planes<dimension>;
+  using support = meeting_planes<dimension>;
   using number = typename Arithmetic::number;
   using form = linear_form<number>;
 
   explicit formulas(Arithmetic a) : a_(std::move(a)) {}
   const Arithmetic& arithmetic() const { return a_; }
 
-  /// Coefficient of e^(2m) in det(n_i, n_j, n_k). Remembered where numbers are long (at most 2^18 of them).
-  number minor(int m, plane_id i, plane_id j, plane_id k) const {
+  /// Coefficient of e^(2m) in the determinant of normals. Remembered where numbers are long (at most 2^18 of them).
+  number minor(int m, const corner& c) const {
     if constexpr (!remembers) {
-      return compute_minor(m, i, j, k);
+      return compute_minor(m, c);
     } else {
-      quadruple key = {i, j, k, m};
-      std::sort(key.begin(), key.begin() + 3);
+      support key{};
+      std::copy(c.begin(), c.end(), key.begin());
+      const sign order = sort_with_parity(std::span(key).template first<dimension>());
+      key.back() = m;
       if (minors_.size() > (1U << 18U)) minors_.clear();
       const auto [at, fresh] = minors_.try_emplace(key);
-      if (fresh) at->second = compute_minor(m, key[0], key[1], key[2]);
-      const int inversions = (i > j ? 1 : 0) + (i > k ? 1 : 0) + (j > k ? 1 : 0);
-      return inversions % 2 == 0 ? at->second : number(-at->second);
+      if (fresh) {
+        corner sorted{};
+        std::copy_n(key.begin(), dimension, sorted.begin());
+        at->second = compute_minor(m, sorted);
+      }
+      return order == sign::positive ? at->second : number(-at->second);
     }
   }
 
   /// Coefficients of e^(2m) in the lambdas: the cofactors of the last column of the matrix with rows (n_r, *).
-  std::array<number, 4> lambda(int m, const quadruple& q) const {
-    return {-minor(m, q[1], q[2], q[3]), minor(m, q[0], q[2], q[3]), -minor(m, q[0], q[1], q[3]), minor(m, q[0], q[1], q[2])};
+  std::array<number, dimension + 1> lambda(int m, const support& q) const {
+    if constexpr (dimension == 2)
+      return {minor(m, {q[1], q[2]}), -minor(m, {q[0], q[2]}), minor(m, {q[0], q[1]})};
+    else
+      return {-minor(m, {q[1], q[2], q[3]}), minor(m, {q[0], q[2], q[3]}), -minor(m, {q[0], q[1], q[3]}), minor(m, {q[0], q[1], q[2]})};
   }
 
   /// Coefficient of e^grade in D.
-  number offset(int grade, const quadruple& q) const {
-    if (grade > 7) return number(0);
+  number offset(int grade, const support& q) const {
+    if (grade > 2 * dimension + 1) return number(0);
     const auto l = lambda(grade / 2, q);
     auto sum = number(0);
-    for (int r = 0; r < 4; ++r) sum = sum + l[r] * (grade % 2 == 0 ? a_.d(q[r]) : a_.delta(q[r]));
+    for (int r = 0; r <= dimension; ++r) sum = sum + l[r] * (grade % 2 == 0 ? a_.d(q[r]) : a_.delta(q[r]));
     return sum;
   }
 
   /// Coefficient of e^grade in S.
-  form speed(int grade, const quadruple& q) const {
+  form speed(int grade, const support& q) const {
     form f;
-    if (grade % 2 != 0 || grade > 6) return f;
+    if (grade % 2 != 0 || grade > 2 * dimension) return f;
     const auto l = lambda(grade / 2, q);
-    for (int r = 0; r < 4; ++r) f.add(q[r], l[r]);
+    for (int r = 0; r <= dimension; ++r) f.add(q[r], l[r]);
     return f;
   }
 
-  auto orientation_at(int grade, const triple& t) const {
-    return a_.decide(grade % 2 != 0 || grade > 6 ? number(0) : minor(grade / 2, t[0], t[1], t[2]));
+  auto orientation_at(int grade, const corner& c) const {
+    return a_.decide(grade % 2 != 0 || grade > 2 * dimension ? number(0) : minor(grade / 2, c));
   }
-  auto offset_at(int grade, const quadruple& q) const { return a_.decide(offset(grade, q)); }
-  auto closing_at(int grade, const quadruple& q) const { return a_.decide(speed(grade, q)); }
+  auto offset_at(int grade, const support& q) const { return a_.decide(offset(grade, q)); }
+  auto closing_at(int grade, const support& q) const { return a_.decide(speed(grade, q)); }
 
   /// Sign of the coefficient of e^grade in D(q) S(r) - D(r) S(q): the order of two meeting times up to the signs of
   /// S(q), S(r), and a moving vertex against a plane up to the signs of S(r) and lambda.
-  auto cross_at(int grade, const quadruple& q, const quadruple& r) const {
+  auto cross_at(int grade, const support& q, const support& r) const {
     form f;
-    for (int g = 0; g <= grade && g <= 6; g += 2) {  // S has even grades up to 6, D all up to 7
-      if (grade - g > 7) continue;
+    for (int g = 0; g <= grade && g <= 2 * dimension; g += 2) {  // S has even grades up to 6 in space, D all up to 7
+      if (grade - g > 2 * dimension + 1) continue;
       accumulate(f, offset(grade - g, q), speed(g, r));
       accumulate(f, -offset(grade - g, r), speed(g, q));
     }
@@ -131,22 +155,23 @@ class formulas {
  private:
   static constexpr bool remembers = requires { typename Arithmetic::remembers_minors; };
 
-  number compute_minor(int m, plane_id i, plane_id j, plane_id k) const {
-    if (m == 0) return det(i, j, k, 0);
+  number compute_minor(int m, const corner& c) const {
+    if (m == 0) return det(c, 0);
     auto sum = number(0);
-    for (unsigned tilted = 1; tilted < 8; ++tilted)
-      if (static_cast<int>((tilted & 1U) + (tilted >> 1U & 1U) + (tilted >> 2U)) == m) sum = sum + det(i, j, k, tilted);
+    for (unsigned tilted = 1; tilted < 1U << static_cast<unsigned>(dimension); ++tilted)
+      if (std::popcount(tilted) == m) sum = sum + det(c, tilted);
     return sum;
   }
 
   number entry(plane_id p, int axis, bool tilted) const { return tilted ? a_.u(p, axis) : a_.n(p, axis); }
 
-  number det(plane_id i, plane_id j, plane_id k, unsigned tilted) const {
-    const bool ti = (tilted & 1U) != 0;
-    const bool tj = (tilted & 2U) != 0;
-    const bool tk = (tilted & 4U) != 0;
-    const auto m = [&](int a, int b) { return entry(j, a, tj) * entry(k, b, tk) - entry(j, b, tj) * entry(k, a, tk); };
-    return entry(i, 0, ti) * m(1, 2) + entry(i, 1, ti) * m(2, 0) + entry(i, 2, ti) * m(0, 1);
+  number det(const corner& c, unsigned tilted) const {
+    const auto at = [&](int row, int axis) { return entry(c[row], axis, (tilted >> static_cast<unsigned>(row) & 1U) != 0); };
+    const auto m = [&](int row, int a, int b) { return at(row, a) * at(row + 1, b) - at(row, b) * at(row + 1, a); };
+    if constexpr (dimension == 2)
+      return m(0, 0, 1);
+    else
+      return at(0, 0) * m(1, 1, 2) + at(0, 1) * m(1, 2, 0) + at(0, 2) * m(1, 0, 1);
   }
 
   static void accumulate(form& f, const number& factor, const form& s) {
@@ -155,7 +180,7 @@ class formulas {
 
   struct nothing {};
   Arithmetic a_;
-  [[no_unique_address]] mutable std::conditional_t<remembers, std::unordered_map<quadruple, number, plane_hash>, nothing> minors_;
+  [[no_unique_address]] mutable std::conditional_t<remembers, std::unordered_map<support, number, plane_hash>, nothing> minors_;
 };
 
 }  // namespace osteon

@@ -6,7 +6,9 @@
 /// predicate about different planes is ever zero and all events have one strict order; where K is not zero nothing changes and little is added to the
 /// cost.
 
+#include <algorithm>
 #include <array>
+#include <concepts>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +24,9 @@ template <graded_kernel K>
 class perturbed {
  public:
   static constexpr bool exact = K::exact;
+  static constexpr int dimension = K::dimension;
+  using corner = corner_planes<dimension>;
+  using support = meeting_planes<dimension>;
 
   struct meeting {
     typename K::meeting base;
@@ -37,14 +42,13 @@ class perturbed {
   plane_id size() const { return k_.size(); }
   bool has_unit_speeds() const requires requires(const K& k) { k.has_unit_speeds(); }
   { return k_.has_unit_speeds(); }
-  sign orientation(plane_id a, plane_id b, plane_id c) const {
-    const sign s = k_.orientation(a, b, c);
-    if (a == b || b == c || a == c) return sign::zero;
-    return s != sign::zero ? s : leading([&](int g) { return k_.orientation_at(g, {a, b, c}); }, 2).value;
-  }
-  bool transversal(plane_id a, plane_id b, plane_id c) const { return k_.transversal(a, b, c); }
+  template <std::same_as<plane_id>... Planes>
+  requires(sizeof...(Planes) == dimension) sign orientation(Planes... of)
+  const { return orientation_of({of...}); }
+  template <std::same_as<plane_id>... Planes>
+  requires(sizeof...(Planes) == dimension) bool transversal(Planes... of) const { return k_.transversal(of...); }
 
-  std::optional<meeting> meet(const quadruple& q) const {
+  std::optional<meeting> meet(const support& q) const {
     meeting m{k_.meeting_of(q), sign::zero, true};
     m.closing = k_.closing(m.base);
     if (m.closing == sign::zero) {
@@ -53,13 +57,13 @@ class perturbed {
     }
     return m;
   }
-  quadruple planes(const meeting& m) const { return k_.planes(m.base); }
+  support planes(const meeting& m) const { return k_.planes(m.base); }
   sign closing(const meeting& m) const { return m.closing; }
   meeting start() const { return {k_.start(), sign::positive, true}; }
 
   sign compare(const meeting& m, const meeting& n) const {
-    const quadruple q = planes(m);
-    const quadruple r = planes(n);
+    const support q = planes(m);
+    const support r = planes(n);
     if (q == r) return sign::zero;
     if (q == start_planes) return -compare(n, m);
     if (r == start_planes) return after_start(m);
@@ -70,25 +74,44 @@ class perturbed {
     return leading([&](int g) { return k_.cross_at(g, q, r); }, m.regular && n.regular ? 1 : 0).value * m.closing * n.closing;
   }
 
-  sign side(plane_id d, plane_id a, plane_id b, plane_id c, const meeting& m) const {
-    const quadruple q{a, b, c, d};
-    const quadruple r = planes(m);
-    if (r == start_planes) return at_start(q) * orientation(a, b, c);
-    if ((d == r[0] || d == r[1] || d == r[2] || d == r[3]) && ascending(q) == r) return sign::zero;
-    if (m.regular)
-      if (const sign s = k_.side(d, a, b, c, m.base); s != sign::zero) return s;
-    return leading([&](int g) { return k_.cross_at(g, q, r); }, 0).value * m.closing * orientation(a, b, c);
+  sign side(plane_id d, plane_id a, plane_id b, plane_id c, const meeting& m) const requires(dimension == 3) {
+    return side_of({a, b, c, d}, m, [&] { return k_.side(d, a, b, c, m.base); });
+  }
+  sign side(plane_id c, plane_id a, plane_id b, const meeting& m) const requires(dimension == 2) {
+    return side_of({a, b, c}, m, [&] { return k_.side(c, a, b, m.base); });
   }
 
   bisector_type bisector(plane_id a, plane_id b) const { return k_.bisector(a, b); }
-  sign compare(const bisector_type& e, const bisector_type& f) const { return k_.compare(e, f); }
-  sign compare_volume(std::span<const triple> s, std::span<const triple> t) const { return k_.compare_volume(s, t); }
+  sign compare(const bisector_type& e, const bisector_type& f) const requires(dimension == 3) { return k_.compare(e, f); }
+  sign compare_volume(std::span<const triple> s, std::span<const triple> t) const requires(dimension == 3) { return k_.compare_volume(s, t); }
 
  private:
+  static constexpr support start_planes = start_planes_in<dimension>;
+
   struct leading_sign {
     sign value;
     int grade;
   };
+
+  sign orientation_of(const corner& c) const {
+    for (int i = 0; i < dimension; ++i)
+      for (int j = 0; j < i; ++j)
+        if (c[i] == c[j]) return sign::zero;
+    return leading([&](int g) { return k_.orientation_at(g, c); }, 0).value;
+  }
+
+  // The corner of all planes but the last against the last.
+  template <class Unperturbed>
+  sign side_of(const support& q, const meeting& m, Unperturbed unperturbed) const {
+    const support r = planes(m);
+    corner c{};
+    std::copy_n(q.begin(), dimension, c.begin());
+    if (r == start_planes) return at_start(q) * orientation_of(c);
+    if (std::find(r.begin(), r.end(), q.back()) != r.end() && ascending(q) == r) return sign::zero;
+    if (m.regular)
+      if (const sign s = unperturbed(); s != sign::zero) return s;
+    return leading([&](int g) { return k_.cross_at(g, q, r); }, 0).value * m.closing * orientation_of(c);
+  }
 
   // A coefficient of e^grade contains grade / 2 tilts.
   sign at(int grade, sign coefficient) const { return mirrored_ && grade / 2 % 2 != 0 ? -coefficient : coefficient; }
@@ -97,14 +120,14 @@ class perturbed {
   // itself in special position.
   template <class Coefficient>
   leading_sign leading(Coefficient coefficient, int first) const {
-    for (int g = first; g <= highest_grade; ++g)
+    for (int g = first; g <= highest_grade_in<dimension>; ++g)
       if (const sign s = at(g, coefficient(g)); s != sign::zero) return {s, g};
     throw invariant_error("the symbolic perturbation is degenerate: all coefficients are zero");
   }
 
   // D / S against a moment that is later than every multiple of e and earlier than every positive number.
   sign after_start(const meeting& m) const {
-    const quadruple q = planes(m);
+    const support q = planes(m);
     if (m.regular) return k_.compare(m.base, k_.start());
     const auto d = leading([&](int g) { return k_.offset_at(g, q); }, 0);
     const auto s = leading([&](int g) { return k_.closing_at(g, q); }, 2);
@@ -113,12 +136,12 @@ class perturbed {
 
   // Sign of L = D - t S at that moment: the coefficients in the order of size S0, D1, S1, D2, ...; D0 is zero, since
   // the planes meet in a point at time zero.
-  sign at_start(const quadruple& q) const {
-    for (int g = 0; g <= 7; ++g) {
+  sign at_start(const support& q) const {
+    for (int g = 0; g <= 2 * dimension + 1; ++g) {
       if (const sign d = g == 0 ? sign::zero : at(g, k_.offset_at(g, q)); d != sign::zero) return d;
       if (const sign s = at(g, k_.closing_at(g, q)); s != sign::zero) return -s;
     }
-    throw invariant_error("the symbolic perturbation is degenerate: four planes share a point at the start");
+    throw invariant_error("the symbolic perturbation is degenerate: the planes of a meeting share a point at the start");
   }
 
   K k_;

@@ -9,20 +9,24 @@
 
 namespace osteon {
 
-class rational_arithmetic : public integer_planes {
+template <int Dimension>
+class basic_rational_arithmetic : public integer_planes<Dimension> {
  public:
+  using integer_planes<Dimension>::n;
+  using integer_planes<Dimension>::plane;
+  using integer_planes<Dimension>::size;
   static constexpr bool is_exact = true;
   static constexpr int speed_bits = 64;
 
-  explicit rational_arithmetic(std::span<const moving_plane<integer>> planes) : integer_planes(planes) {
-    square_classes roots;
+  explicit basic_rational_arithmetic(std::span<const moving_plane<integer, Dimension>> planes) : integer_planes<Dimension>(planes) {
     for (plane_id i = 0; i < size(); ++i) {
-      const integer g = gcd(n(i, 0), gcd(n(i, 1), n(i, 2)));  // rounds multiples of one equation alike (K4)
-      speeds_.push_back(g * roots.scaled(roots.add(dot(i, i) / (g * g), plane(i).weight), 64));
+      integer g = n(i, 0);  // rounds multiples of one equation alike (K4)
+      for (int axis = 1; axis < Dimension; ++axis) g = gcd(g, n(i, axis));
+      speeds_.push_back(abs(g) * isqrt((this->dot(i, i) / (g * g) * plane(i).weight * plane(i).weight) << 128U));
     }
   }
 
-  using integer_planes::decide;
+  using integer_planes<Dimension>::decide;
 
   /// Speeds in units of 2^-64: the unit of time changes, no sign does.
   sign decide(const linear_form<integer>& f) const {
@@ -48,9 +52,9 @@ class rational_arithmetic : public integer_planes {
   }
 
   /// S itself.
-  std::pair<integer, integer> rough_speed(const std::array<integer, 4>& lambda, const quadruple& q) const {
+  std::pair<integer, integer> rough_speed(const std::array<integer, Dimension + 1>& lambda, const meeting_planes<Dimension>& q) const {
     integer s = 0;
-    for (int r = 0; r < 4; ++r) s += lambda[r] * speeds_[q[r]];
+    for (int r = 0; r <= Dimension; ++r) s += lambda[r] * speeds_[q[r]];
     return {s, 0};
   }
 
@@ -61,8 +65,13 @@ class rational_arithmetic : public integer_planes {
   std::vector<integer> speeds_;
 };
 
+using rational_arithmetic = basic_rational_arithmetic<3>;
 using rational_kernel = direct_kernel<rational_arithmetic>;
+using planar_rational_kernel = direct_kernel<basic_rational_arithmetic<2>>;
 
 inline rational_kernel make_rational_kernel(std::span<const moving_plane<integer>> planes) { return rational_kernel(rational_arithmetic(planes)); }
+inline planar_rational_kernel make_rational_kernel(std::span<const moving_line<integer>> lines) {
+  return planar_rational_kernel(basic_rational_arithmetic<2>(lines));
+}
 
 }  // namespace osteon

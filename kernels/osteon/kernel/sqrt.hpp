@@ -18,29 +18,25 @@
 namespace osteon {
 
 /// The integers of planes and their perturbations: what exact arithmetics share.
+template <int Dimension>
 class integer_planes {
  public:
+  static constexpr int dimension = Dimension;
   using number = integer;
   using remembers_minors = void;
 
-  explicit integer_planes(std::span<const moving_plane<integer>> planes) : planes_(planes.begin(), planes.end()) {
-    tilts_.reserve(planes_.size());
-    for (plane_id i = 0; i < size(); ++i) {
-      const perturbation p = perturbation::of(i);
-      tilts_.push_back({{integer(p.u[0]), integer(p.u[1]), integer(p.u[2])}, integer(p.delta)});
-    }
-  }
+  explicit integer_planes(std::span<const moving_plane<integer, Dimension>> planes) : planes_(planes.begin(), planes.end()) {}
 
   plane_id size() const { return static_cast<plane_id>(planes_.size()); }
-  const moving_plane<integer>& plane(plane_id i) const { return planes_[i]; }
+  const moving_plane<integer, Dimension>& plane(plane_id i) const { return planes_[i]; }
   const integer& n(plane_id i, int axis) const { return planes_[i].n[axis]; }
   const integer& d(plane_id i) const { return planes_[i].d; }
-  const integer& u(plane_id i, int axis) const { return tilts_[i].u[axis]; }
-  const integer& delta(plane_id i) const { return tilts_[i].delta; }
+  integer u(plane_id i, int axis) const { return perturbation::of(i).u[axis]; }
+  integer delta(plane_id i) const { return perturbation::of(i).delta; }
   sign decide(const integer& x) const { return sign_of(x); }
   sign decide_offset(const integer& d) const { return sign_of(d); }
 
-  integer dot(plane_id a, plane_id b) const { return n(a, 0) * n(b, 0) + n(a, 1) * n(b, 1) + n(a, 2) * n(b, 2); }
+  integer dot(plane_id a, plane_id b) const { return inner_product(plane(a).n, plane(b).n); }
 
   /// Order of the angles between n_a, n_b and between n_c, n_d: the greater cosine is the smaller angle; cosines are
   /// compared by their signed squares.
@@ -53,39 +49,40 @@ class integer_planes {
   }
 
  private:
-  struct tilt {
-    std::array<integer, 3> u;
-    integer delta;
-  };
-  std::vector<moving_plane<integer>> planes_;
-  std::vector<tilt> tilts_;
+  std::vector<moving_plane<integer, Dimension>> planes_;
 };
 
 /// Speeds as square roots; signs by square classes and refinement.
-class sqrt_arithmetic : public integer_planes {
+template <int Dimension>
+class basic_sqrt_arithmetic : public integer_planes<Dimension> {
  public:
+  using integer_planes<Dimension>::plane;
+  using integer_planes<Dimension>::size;
   static constexpr bool is_exact = true;
   static constexpr int speed_bits = 128;
 
-  explicit sqrt_arithmetic(std::span<const moving_plane<integer>> planes) : integer_planes(planes) {
-    for (plane_id i = 0; i < size(); ++i) roots_.add(dot(i, i), plane(i).weight);
+  explicit basic_sqrt_arithmetic(std::span<const moving_plane<integer, Dimension>> planes)
+      : integer_planes<Dimension>(planes), root_(planes.size(), -1) {
     unit_ = std::all_of(planes.begin(), planes.end(), [&](const auto& p) { return p.weight == planes.front().weight; });
   }
 
   /// Whether all weights are equal. Then, and only with exact roots, is n / speed of every plane a corner of the convex hull of all.
   bool has_unit_speeds() const { return unit_; }
 
-  using integer_planes::decide;
-  sign decide(const linear_form<integer>& f) const { return roots_.sign_of_form(f.terms, f.size); }
-  const square_classes& roots() const { return roots_; }
+  using integer_planes<Dimension>::decide;
+  sign decide(const linear_form<integer>& f) const {
+    linear_form<integer> of_roots = f;
+    for (int t = 0; t < f.size; ++t) of_roots.terms[t].plane = root(f.terms[t].plane);
+    return roots_.sign_of_form(of_roots.terms, of_roots.size);
+  }
 
   /// A speed in units of 2^-128, less than 1 too small.
-  const integer& rough_speed(plane_id p) const { return roots_.refined(p); }
+  const integer& rough_speed(plane_id p) const { return roots_.refined(root(p)); }
 
   /// S with roots rounded to 2^-128; each is less than 1 too small in that unit.
-  std::pair<integer, integer> rough_speed(const std::array<integer, 4>& lambda, const quadruple& q) const {
+  std::pair<integer, integer> rough_speed(const std::array<integer, Dimension + 1>& lambda, const meeting_planes<Dimension>& q) const {
     std::pair<integer, integer> s = {0, 0};
-    for (int r = 0; r < 4; ++r) {
+    for (int r = 0; r <= Dimension; ++r) {
       s.first += lambda[r] * rough_speed(q[r]);
       s.second += abs(lambda[r]);
     }
@@ -115,8 +112,8 @@ class sqrt_arithmetic : public integer_planes {
     std::array<integer, 3> c;
     std::array<integer, 3> square;  // (c_r sqrt(s_r))^2
     for (int r = 0; r < 3; ++r) {
-      c[r] = m[r] * roots_.weight(abc[r]);
-      square[r] = c[r] * c[r] * roots_.radicand(abc[r]);
+      c[r] = m[r] * plane(abc[r]).weight;
+      square[r] = c[r] * c[r] * this->dot(abc[r], abc[r]);
     }
     for (int r = 0; r < 3; ++r) sum[{abc[r], -1, -1}] += factor * rational(c[r] * (square[r] + 3 * square[(r + 1) % 3] + 3 * square[(r + 2) % 3]));
     triple all = abc;
@@ -137,19 +134,31 @@ class sqrt_arithmetic : public integer_planes {
       if (c == 0) continue;
       integer radicand = 1;
       for (const plane_id p : planes)
-        if (p >= 0) radicand *= roots_.radicand(p);
+        if (p >= 0) radicand *= this->dot(p, p);
       terms.push_back({products.add(radicand), integer(numerator(c) * (common / denominator(c)))});
     }
     return products.sign_of_form(terms, static_cast<int>(terms.size()));
   }
 
-  square_classes roots_;
+  // The number of a plane's root. Most planes are never asked for theirs.
+  int root(plane_id p) const {
+    if (root_[p] < 0) root_[p] = roots_.add(this->dot(p, p), plane(p).weight);
+    return root_[p];
+  }
+
+  mutable square_classes roots_;
+  mutable std::vector<int> root_;
   bool unit_ = true;
 };
 
+using sqrt_arithmetic = basic_sqrt_arithmetic<3>;
 using sqrt_kernel = direct_kernel<sqrt_arithmetic>;
+using planar_sqrt_kernel = direct_kernel<basic_sqrt_arithmetic<2>>;
 
 /// The exact kernel of unit (or weighted) speeds for these planes.
 inline sqrt_kernel make_sqrt_kernel(std::span<const moving_plane<integer>> planes) { return sqrt_kernel(sqrt_arithmetic(planes)); }
+inline planar_sqrt_kernel make_sqrt_kernel(std::span<const moving_line<integer>> lines) {
+  return planar_sqrt_kernel(basic_sqrt_arithmetic<2>(lines));
+}
 
 }  // namespace osteon

@@ -18,11 +18,12 @@ namespace osteon {
 
 /// One plane, rounded: relative error of every number at most 2^-52 (GMP truncates). `exact` where nothing was lost and the
 /// speed is an integer: then all are integers, and so are the perturbations.
+template <int Dimension>
 struct rounded_plane {
-  std::array<double, 3> n;
+  std::array<double, Dimension> n;
   double d;
   double speed;
-  std::array<double, 3> u;
+  std::array<double, Dimension> u;
   double delta;
   bool exact;
   bool unscaled;  ///< in the units of the integers
@@ -45,22 +46,24 @@ inline bool is_fit(const integer& x, int shift) { return x == 0 || bit_length(x)
 /// Rounds planes. Products of seven normals and an offset must neither overflow nor lose bits to underflow, so where
 /// numbers are long each plane is scaled by a power of two (K4: that changes no sign) and so are all offsets together
 /// (that changes the unit of length and time).
-inline std::vector<rounded_plane> round_planes(std::span<const moving_plane<integer>> planes) {
+template <int Dimension>
+std::vector<rounded_plane<Dimension>> round_planes(std::span<const moving_plane<integer, Dimension>> planes) {
   constexpr int longest = 100;  // bits of n, and of d beyond n: 8 * 100 + 2 * 100 < 1023
   std::vector<int> shifts;
   int offset_shift = 0;
   for (const auto& p : planes) {
-    const int bits = std::max({bit_length(p.n[0]), bit_length(p.n[1]), bit_length(p.n[2])});
+    int bits = 0;
+    for (const integer& x : p.n) bits = std::max(bits, bit_length(x));
     shifts.push_back(bits > longest ? bits : 0);
     offset_shift = std::max(offset_shift, bit_length(p.d) - shifts.back() - 2 * longest);
   }
-  std::vector<rounded_plane> result;
+  std::vector<rounded_plane<Dimension>> result;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const auto& p = planes[i];
     const auto tilt = perturbation::of(static_cast<plane_id>(i));
-    const integer squared = (p.n[0] * p.n[0] + p.n[1] * p.n[1] + p.n[2] * p.n[2]) * p.weight * p.weight;
-    rounded_plane r{};
-    for (int axis = 0; axis < 3; ++axis) {
+    const integer squared = inner_product(p.n, p.n) * p.weight * p.weight;
+    rounded_plane<Dimension> r{};
+    for (int axis = 0; axis < Dimension; ++axis) {
       r.n[axis] = to_double(p.n[axis], shifts[i]);
       r.u[axis] = std::ldexp(tilt.u[axis], -shifts[i]);
     }
@@ -68,11 +71,11 @@ inline std::vector<rounded_plane> round_planes(std::span<const moving_plane<inte
     r.delta = std::ldexp(tilt.delta, -shifts[i] - offset_shift);
     r.speed = to_double(isqrt(squared << 128), 64 + shifts[i]);
     const auto small = [](const integer& x) { return bit_length(x) <= 53; };
-    r.exact = shifts[i] == 0 && offset_shift == 0 && small(p.n[0]) && small(p.n[1]) && small(p.n[2]) && small(p.d) && is_square(squared) &&
+    r.exact = shifts[i] == 0 && offset_shift == 0 && std::all_of(p.n.begin(), p.n.end(), small) && small(p.d) && is_square(squared) &&
               small(isqrt(squared));
     const int shift = shifts[i];
     r.unscaled = shift == 0 && offset_shift == 0;
-    r.fit = is_fit(p.n[0], shift) && is_fit(p.n[1], shift) && is_fit(p.n[2], shift) && is_fit(p.d, shift + offset_shift);
+    r.fit = std::all_of(p.n.begin(), p.n.end(), [shift](const integer& x) { return is_fit(x, shift); }) && is_fit(p.d, shift + offset_shift);
     r.tilt_fit = shift + offset_shift < 120;
     result.push_back(r);
   }

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// From the raw skeleton of the perturbed polygon to the exact skeleton of the true one (design 04, 06): what has come together in the limit
+/// becomes one, what has vanished goes.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "osteon/error.hpp"
+#include "osteon/planar/kernel.hpp"
+#include "osteon/planar/skeleton.hpp"
+
+namespace osteon::planar {
+
+/// The exact skeleton: places where at least three arcs meet, and the polygon's vertices.
+struct contracted_skeleton {
+  struct node {
+    int vertex;                     ///< of the polygon, or -1
+    triple lines;                   ///< as of a raw node: that meet here, at a time that the unperturbed kernel knows
+    std::array<line_id, 2> corner;  ///< two of them that cross
+  };
+  struct arc {
+    int source;                ///< not later than the target
+    int target;                ///< -1: never ends
+    std::array<int, 2> faces;  ///< on its two sides
+  };
+  std::vector<node> nodes;  ///< those of vertices with an arc come first
+  std::vector<arc> arcs;
+  int vertices = 0;  ///< nodes that are vertices of the polygon
+  int faces = 0;     ///< with an area
+};
+
+/// Contracts under the *unperturbed* kernel, whose zeros say what coincides.
+template <planar_kernel K>
+class contraction {
+ public:
+  contraction(const K& k, const std::vector<int>& line_of_edge, const skeleton& raw) : k_(k), line_(line_of_edge), raw_(raw) {}
+
+  /// Expected linear time, but for sorting what happens at one moment on one line.
+  contracted_skeleton run() {
+    merge_nodes();
+    collect_stretches();
+    join_straight();
+    return collect();
+  }
+
+ private:
+  using meeting = typename K::meeting;
+
+  struct place {
+    int raw;  ///< its first node
+    int moment;
+    std::array<line_id, 2> corner;
+  };
+  // A stretch between two places and the faces beside it, each in each other's turn: what is met twice is gone.
+  struct stretch {
+    std::array<int, 2> ends;
+    std::array<int, 2> faces = {-1, -1};
+    int count = 0;
+
+    void toggle(int face) {
+      for (int i = 0; i < count; ++i)
+        if (faces[i] == face) {
+          faces[i] = faces[--count];
+          return;
+        }
+      if (count == 2) broken_invariant<K>("an arc has two sides in the limit");
+      faces[count++] = face;
+    }
+  };
+
+  // ---- places
+
+  void merge_nodes() {
+    place_of_.resize(raw_.nodes.size());
+    std::unordered_map<std::uint64_t, std::vector<int>> here;  // places of the moment by one of their lines
+    for (std::size_t n = 0; n < raw_.nodes.size(); ++n) {
+      const auto& node = raw_.nodes[n];
+      if (node.vertex >= 0) {
+        place_of_[n] = static_cast<int>(places_.size());
+        places_.push_back({static_cast<int>(n), -1, {node.lines[0], node.lines[1]}});
+        continue;
+      }
+      const auto when = k_.meet(node.lines);
+      if (!when) broken_invariant<K>("the lines of an event meet in the limit");
+      if (moments_.empty() || k_.compare(moments_.back(), *when) != sign::zero) {
+        moments_.push_back(*when);
+        here.clear();
+      }
+      const place p = {static_cast<int>(n), static_cast<int>(moments_.size()) - 1, corner_of(node.lines)};
+      int found = -1;
+      for (const line_id l : node.lines)
+        for (const int q : here[static_cast<std::uint32_t>(l)])
+          if (found < 0 && lies_on(p, places_[q].corner[0]) && lies_on(p, places_[q].corner[1])) found = q;
+      if (found < 0) {
+        found = static_cast<int>(places_.size());
+        places_.push_back(p);
+      }
+      place_of_[n] = found;
+      for (const line_id l : node.lines) {
+        auto& list = here[static_cast<std::uint32_t>(l)];
+        if (std::find(list.begin(), list.end(), found) == list.end()) list.push_back(found);
+      }
+    }
+  }
+
+  std::array<line_id, 2> corner_of(const triple& lines) const {
+    for (const std::array<int, 2> pair : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}})
+      if (k_.transversal(lines[pair[0]], lines[pair[1]])) return {lines[pair[0]], lines[pair[1]]};
+    broken_invariant<K>("two lines of an event cross in the limit");
+  }
+
+  sign side(line_id l, const place& p) const {
+    if (l == p.corner[0] || l == p.corner[1]) return sign::zero;
+    return k_.side(l, p.corner[0], p.corner[1], moments_[p.moment]);
+  }
+  bool lies_on(const place& p, line_id l) const { return side(l, p) == sign::zero; }
+
+  // ---- arcs
+
+  void collect_stretches() {
+    const int moments = static_cast<int>(moments_.size());
+    std::vector<std::vector<int>> instant(moments);  // raw arcs that begin and end at one moment in two places
+    for (std::size_t a = 0; a < raw_.arcs.size(); ++a) {
+      const auto& arc = raw_.arcs[a];
+      const int from = place_of_[arc.source];
+      if (arc.target < 0) {
+        add_stretch(from, -1 - static_cast<int>(a), arc.faces);
+        continue;
+      }
+      const int to = place_of_[arc.target];
+      if (from == to) continue;
+      if (places_[from].moment >= 0 && places_[from].moment == places_[to].moment)
+        instant[places_[from].moment].push_back(static_cast<int>(a));
+      else
+        add_stretch(from, to, arc.faces);
+    }
+    std::vector<std::vector<int>> nodes_at(moments);
+    for (std::size_t n = 0; n < raw_.nodes.size(); ++n)
+      if (const int m = places_[place_of_[n]].moment; m >= 0 && !instant[m].empty()) nodes_at[m].push_back(static_cast<int>(n));
+    for (int m = 0; m < moments; ++m)
+      if (!instant[m].empty()) cut_ridges(instant[m], nodes_at[m]);
+  }
+
+  // Two lines of an arc without duration coincide. The places on them, in their order, cut it.
+  void cut_ridges(const std::vector<int>& arcs, const std::vector<int>& nodes) {
+    std::unordered_map<line_id, line_id> same;
+    const auto root = [&same](line_id l) {
+      while (true) {
+        const auto up = same.find(l);
+        if (up == same.end() || up->second == l) return l;
+        l = up->second;
+      }
+    };
+    for (const int a : arcs) same[root(line_[raw_.arcs[a].faces[0]])] = root(line_[raw_.arcs[a].faces[1]]);
+    std::unordered_map<line_id, std::vector<int>> on;
+    for (const int n : nodes)
+      for (const line_id l : raw_.nodes[n].lines)
+        if (const line_id r = root(l); same.contains(l) || r != l) on[r].push_back(place_of_[n]);
+    for (auto& [line, places] : on) {
+      std::sort(places.begin(), places.end());
+      places.erase(std::unique(places.begin(), places.end()), places.end());
+      const line_id along = line;
+      std::sort(places.begin(), places.end(), [&](int p, int q) { return comes_first(along, places_[p], places_[q]); });
+    }
+    for (const int a : arcs) {
+      const auto& arc = raw_.arcs[a];
+      const auto& places = on[root(line_[arc.faces[0]])];
+      auto from = std::find(places.begin(), places.end(), place_of_[arc.source]);
+      auto to = std::find(places.begin(), places.end(), place_of_[arc.target]);
+      if (from == places.end() || to == places.end()) broken_invariant<K>("an arc ends on its lines");
+      if (to < from) std::swap(from, to);
+      for (; from != to; ++from) add_stretch(*from, *(from + 1), arc.faces);
+    }
+  }
+
+  // Whether p comes before q on a line on which both lie.
+  bool comes_first(line_id along, const place& p, const place& q) const {
+    for (const line_id x : p.corner)
+      if (k_.transversal(along, x)) {
+        const sign s = side(x, q);
+        return s != sign::zero && (s == sign::positive) == (k_.orientation(along, x) == sign::negative);
+      }
+    broken_invariant<K>("two lines cross at a place");
+  }
+
+  void add_stretch(int from, int to, const std::array<int, 2>& faces) {
+    if (to >= 0 && from > to) std::swap(from, to);
+    const std::uint64_t key = static_cast<std::uint64_t>(static_cast<std::uint32_t>(from)) << 32U | static_cast<std::uint32_t>(to);
+    const auto [at, fresh] = index_.try_emplace(key, static_cast<int>(stretches_.size()));
+    if (fresh) stretches_.push_back({{from, to}});
+    for (const int f : faces) stretches_[at->second].toggle(f);
+  }
+
+  // ---- the result
+
+  // Two stretches between the same faces that meet at a place where nothing else does are one.
+  void join_straight() {
+    std::erase_if(stretches_, [](const stretch& s) { return s.count == 0; });
+    for (auto& s : stretches_) {
+      if (s.count != 2) broken_invariant<K>("an arc has two sides in the limit");
+      if (s.faces[0] > s.faces[1]) std::swap(s.faces[0], s.faces[1]);
+    }
+    degree_.assign(places_.size(), 0);
+    std::vector<std::array<int, 2>> at(places_.size(), {-1, -1});
+    for (std::size_t i = 0; i < stretches_.size(); ++i)
+      for (const int p : stretches_[i].ends)
+        if (p >= 0 && degree_[p]++ < 2) at[p][degree_[p] - 1] = static_cast<int>(i);
+    for (std::size_t p = 0; p < places_.size(); ++p) {
+      if (degree_[p] != 2 || raw_.nodes[places_[p].raw].vertex >= 0) continue;
+      const int place = static_cast<int>(p);
+      const auto [i, j] = at[p];
+      if (stretches_[i].faces != stretches_[j].faces) broken_invariant<K>("at a node at least three arcs meet");
+      const auto far = [&](int s) { return stretches_[s].ends[stretches_[s].ends[0] == place ? 1 : 0]; };
+      const int end = far(j);
+      stretches_[i].ends[stretches_[i].ends[0] == place ? 0 : 1] = end;
+      stretches_[j].count = 0;
+      degree_[p] = 0;
+      if (end >= 0 && degree_[end] <= 2)
+        for (int& s : at[end])
+          if (s == j) s = i;
+    }
+    std::erase_if(stretches_, [](const stretch& s) { return s.count == 0; });
+  }
+
+  contracted_skeleton collect() const {
+    contracted_skeleton result;
+    std::vector<int> number(places_.size(), -1);
+    for (std::size_t p = 0; p < places_.size(); ++p) {
+      if (degree_[p] == 0) continue;
+      const auto& node = raw_.nodes[places_[p].raw];
+      number[p] = static_cast<int>(result.nodes.size());
+      result.vertices += node.vertex >= 0 ? 1 : 0;
+      result.nodes.push_back({node.vertex, node.lines, places_[p].corner});
+    }
+    std::vector<bool> seen(raw_.faces.size(), false);
+    for (const auto& s : stretches_) {
+      int from = s.ends[0];
+      int to = s.ends[1];
+      if (to < 0 || from < 0)
+        from = std::max(from, to), to = -1;
+      else if (from > to)
+        std::swap(from, to);
+      result.arcs.push_back({number[from], to < 0 ? -1 : number[to], s.faces});
+      for (const int f : s.faces) {
+        result.faces += seen[f] ? 0 : 1;
+        seen[f] = true;
+      }
+    }
+    return result;
+  }
+
+  const K& k_;
+  const std::vector<int>& line_;
+  const skeleton& raw_;
+  std::vector<meeting> moments_;  // all that are different
+  std::vector<place> places_;     // in order of time
+  std::vector<int> place_of_;
+  std::unordered_map<std::uint64_t, int> index_;
+  std::vector<stretch> stretches_;
+  std::vector<int> degree_;
+};
+
+template <planar_kernel K>
+contracted_skeleton contract(const K& k, const std::vector<int>& line_of_edge, const skeleton& raw) {
+  return contraction<K>(k, line_of_edge, raw).run();
+}
+
+}  // namespace osteon::planar

@@ -1,0 +1,560 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// The event loop in the plane: from the outline of a polygon to its straight skeleton. One handler serves all events (design 02, 06).
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "osteon/error.hpp"
+#include "osteon/planar/broad_phase.hpp"
+#include "osteon/planar/catalogue.hpp"
+#include "osteon/planar/kernel.hpp"
+#include "osteon/planar/polygon.hpp"
+#include "osteon/planar/skeleton.hpp"
+#include "osteon/planar/wavefront.hpp"
+
+namespace osteon::planar {
+
+/// Where lines meet and vertices move, as enclosures (see motion.hpp of the kernels). Decides nothing: it only spares the kernel questions.
+template <class M>
+concept motion_bounds = requires(const M& m, const triple& q, const triple* birth, line_id a, typename M::path p, double t) {
+  { m.frame() } -> std::convertible_to<box>;
+  { m.speed() } -> std::convertible_to<double>;
+  { m.time(q) } -> std::same_as<interval>;
+  { m.place(q) } -> std::same_as<box>;
+  { m.begin(a, a, birth) } -> std::same_as<typename M::path>;
+  { m.swept(p, t, t) } -> std::same_as<box>;
+};
+
+/// One run of the wavefront. Candidates for events are meetings of three lines, nothing more: whether one is an event is read off the
+/// wavefront at its moment, so candidates never become stale. An edge that shrinks is known by its two neighbours. Reflex vertices and the edges
+/// they may reach are found window of time by window of time, by overlapping boxes of what they sweep in it.
+template <planar_kernel K, motion_bounds Motion>
+class propagation {
+ public:
+  propagation(const K& k, const outline& polygon, const Motion& motion)
+      : k_(k), polygon_(polygon), motion_(motion), order_(k, front_, polygon.lines), now_(k.start()), queue_(later{&k}) {}
+
+  /// Runs to the end. Throws unsupported_error (a part of the wavefront stands still for ever), undecided_error or invariant_error.
+  /// Cost: n log n in practice for n vertices; memory linear.
+  skeleton run() {
+    initialise();
+    while (alive_ > 0) {
+      if (window_.last < infinity) {
+        if (queue_.empty() || !(motion_.time(k_.planes(queue_.top())).last <= window_.last)) {
+          if (8 * changes_ < static_cast<int>(living_.size())) step_ *= 2;
+          open_window(window_.last);
+          continue;
+        }
+        if (2 * changes_ > static_cast<int>(living_.size()) + 100) {
+          // Too much happens: what has changed crowds the trees.
+          const double time = std::clamp(motion_.time(k_.planes(now_)).first, window_.first, window_.last);
+          step_ = std::clamp((time - window_.first) / 2, step_ / 16, step_ / 2);
+          open_window(time);
+          continue;
+        }
+      } else {
+        if (queue_.empty()) break;
+      }
+      const meeting m = queue_.top();
+      queue_.pop();
+      if (k_.compare(m, now_) != sign::positive) continue;
+      if (const auto found = read(m)) {
+        now_ = m;
+        replace(*found);
+      }
+    }
+
+    for (auto& f : result_.faces) f = face_of(static_cast<int>(&f - result_.faces.data()));
+    for (auto& a : result_.arcs)
+      for (int& f : a.faces) f = result_.faces[f];
+    return std::move(result_);
+  }
+
+  /// The edges that never vanish: those of an unbounded wavefront, or held ones.
+  const wavefront& front() const { return front_; }
+
+ private:
+  using meeting = typename K::meeting;
+  using cell = local::cell;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  struct later {
+    const K* k;
+    bool operator()(const meeting& m, const meeting& n) const {
+      const sign s = k->compare(m, n);
+      return s != sign::zero ? s == sign::positive : triple(k->planes(m)) > triple(k->planes(n));
+    }
+  };
+
+  // What the wavefront looks like around a meeting point: the edge on every piece of the three lines, by label.
+  struct neighbourhood {
+    triple q;
+    cell small;
+    const local::event* event;
+    std::array<std::array<int, 8>, 3> edges;
+    meeting when;
+  };
+
+  // ---- the start
+
+  void initialise() {
+    const int n = static_cast<int>(polygon_.next.size());
+    std::vector<int> previous(n);
+    for (int i = 0; i < n; ++i) previous[polygon_.next[i]] = i;
+    for (int i = 0; i < n; ++i) {
+      triple lines = {polygon_.line[previous[i]], polygon_.line[i], -1};
+      if (lines[0] > lines[1]) std::swap(lines[0], lines[1]);
+      result_.nodes.push_back({i, lines, event_class::edge});
+      result_.faces.push_back(i);
+      front_.edges.push_back({polygon_.line[i], i, polygon_.next[i], i, true});
+      front_.vertices.push_back({previous[i], i, -1, true});
+    }
+    alive_ = n;
+    straighten();
+    for (int v = 0; v < n; ++v)
+      if (front_.vertices[v].alive) begin_arc(v, v);
+    for (int e = 0; e < n; ++e)
+      if (front_.edges[e].alive) order_.add_unsorted(e);
+    order_.sort(polygon_.rank);
+    for (int v = 0; v < n; ++v) {
+      paths_.push_back(motion_.begin(front_.line_before(v), front_.line_after(v), nullptr));
+      if (front_.vertices[v].alive && is_reflex(k_, front_, v)) reflex_.push_back(v);
+    }
+    for (int e = 0; e < n; ++e) living_.push_back(e);
+    known_until_.assign(paths_.size(), -infinity);
+    known_contact_.assign(paths_.size(), -1);
+    collapse_.assign(n, infinity);
+    for (int e = 0; e < n; ++e)
+      if (front_.edges[e].alive) watch_collapse(e);
+    window_ = {0, 0};
+    step_ = spacing() / motion_.speed() / 4;
+  }
+
+  // How far apart things are in the beginning, about.
+  double spacing() const {
+    const auto n = static_cast<double>(paths_.size());
+    const box& frame = motion_.frame();
+    double length = 0;
+    for (std::size_t v = 0; v < paths_.size(); ++v) {
+      const box& a = paths_[v].start;
+      const box& b = paths_[polygon_.next[v]].start;
+      length += std::hypot(a.low[0] - b.low[0], a.low[1] - b.low[1]);
+    }
+    return std::min(length / n, std::sqrt((frame.high[0] - frame.low[0]) * (frame.high[1] - frame.low[1]) / n));
+  }
+
+  // Of two edges that point in the same direction and meet at a vertex, one runs along the other infinitely fast: the faster one where the
+  // perturbation makes the vertex convex, else the slower one. Edges of one line become one.
+  void straighten() {
+    std::vector<int> waiting(front_.vertices.size());
+    for (std::size_t v = 0; v < waiting.size(); ++v) waiting[v] = static_cast<int>(v);
+    while (!waiting.empty()) {
+      const int v = waiting.back();
+      waiting.pop_back();
+      if (!front_.vertices[v].alive) continue;
+      const int in = front_.vertices[v].in;
+      const int out = front_.vertices[v].out;
+      const line_id a = front_.edges[in].line;
+      const line_id b = front_.edges[out].line;
+      if (a != b && k_.transversal(a, b)) continue;
+      const bool in_stays = a == b || (k_.orientation(a, b) == sign::positive) == is_faster(a, b);
+      front_.vertices[v].alive = false;
+      --alive_;
+      if (in_stays) {
+        front_.edges[out].alive = false;
+        front_.edges[in].head = front_.edges[out].head;
+        front_.vertices[front_.edges[out].head].in = in;
+        waiting.push_back(front_.edges[out].head);
+      } else {
+        front_.edges[in].alive = false;
+        front_.edges[out].tail = front_.edges[in].tail;
+        front_.vertices[front_.edges[in].tail].out = out;
+        waiting.push_back(front_.edges[in].tail);
+      }
+      if (a == b) merge_faces(front_.edges[in].face, front_.edges[out].face);
+    }
+  }
+
+  // Whether line a is faster than the parallel line b: with any third line, S = lambda_a (sigma_a - sigma_b).
+  bool is_faster(line_id a, line_id b) const {
+    line_id c = 0;
+    while (!k_.transversal(a, c)) ++c;
+    triple q = {a, b, c};
+    std::sort(q.begin(), q.end());
+    return k_.closing(*k_.meet(q)) == lambda(q, static_cast<unsigned>(std::find(q.begin(), q.end(), a) - q.begin()));
+  }
+
+  static triple sorted(triple q) {
+    std::sort(q.begin(), q.end());
+    return q;
+  }
+
+  int face_of(int f) {
+    while (result_.faces[f] != f) f = result_.faces[f] = result_.faces[result_.faces[f]];
+    return f;
+  }
+  void merge_faces(int f, int g) {
+    f = face_of(f);
+    g = face_of(g);
+    result_.faces[std::max(f, g)] = std::min(f, g);
+  }
+
+  void begin_arc(int v, int node) {
+    auto& vertex = front_.vertices[v];
+    vertex.arc = static_cast<int>(result_.arcs.size());
+    result_.arcs.push_back({node, -1, {front_.edges[vertex.in].face, front_.edges[vertex.out].face}});
+  }
+
+  // ---- windows and candidates
+
+  bool reflex_left() {
+    std::erase_if(reflex_, [this](int v) { return !front_.vertices[v].alive; });
+    return !reflex_.empty();
+  }
+
+  // Looks for all contacts of the next stretch of time.
+  void open_window(double from) {
+    if (!reflex_left()) {
+      window_ = {from, infinity};
+      return;
+    }
+    std::erase_if(living_, [this](int e) { return !front_.edges[e].alive; });
+    changes_ = 0;
+    window_ = {from, from + step_};
+    if (!(window_.last > window_.first)) window_.last = infinity;
+    edge_boxes_.clear(motion_.frame());
+    vertex_boxes_.clear(motion_.frame());
+    for (const int e : living_)
+      for (const int v : {front_.edges[e].tail, front_.edges[e].head}) known_until_[v] = life(v);
+    for (const int e : living_) insert_edge(e);
+    for (const int v : reflex_) {
+      insert_vertex(v);
+      look_from_vertex(v);
+    }
+  }
+
+  // No longer than this is a vertex what it is, as far as is known.
+  double life(int v) const { return std::min(window_.last, std::min(collapse_[front_.vertices[v].in], collapse_[front_.vertices[v].out])); }
+
+  // Between its start and where it may end. Vertices of nearly parallel lines are fast, but do not come far.
+  box swept(int v) const {
+    box b = motion_.swept(paths_[v], window_.first, known_until_[v]);
+    const int in = front_.vertices[v].in;
+    const int out = front_.vertices[v].out;
+    const int e = collapse_[in] < collapse_[out] ? in : out;
+    if (collapse_[e] < infinity) {
+      box whole = paths_[v].start;
+      whole.add(motion_.place(lines_at(e)));
+      b.cut(whole);
+    }
+    return b;
+  }
+
+  // The lines of an edge and of its neighbours.
+  triple lines_at(int e) const {
+    return sorted({front_.line_before(front_.edges[e].tail), front_.edges[e].line, front_.line_after(front_.edges[e].head)});
+  }
+
+  // Pieces of an edge's box: long edges that are not parallel to an axis have boxes that are mostly empty.
+  template <class Body>
+  void boxes_of_edge(int e, Body body) const {
+    const box a = swept(front_.edges[e].tail);
+    const box b = swept(front_.edges[e].head);
+    const double width = std::min(std::abs(a.low[0] - b.low[0]), std::abs(a.low[1] - b.low[1]));
+    const double own = std::max({a.high[0] - a.low[0], a.high[1] - a.low[1], b.high[0] - b.low[0], b.high[1] - b.low[1], motion_.speed() * step_});
+    const int pieces = std::clamp(static_cast<int>(width / own), 1, 16);
+    box from = a;
+    for (int i = 1; i <= pieces; ++i) {
+      box to = b;
+      if (i < pieces)
+        for (int axis = 0; axis < 2; ++axis) {
+          to.low[axis] = a.low[axis] + (b.low[axis] - a.low[axis]) * i / pieces;
+          to.high[axis] = a.high[axis] + (b.high[axis] - a.high[axis]) * i / pieces;
+        }
+      box piece = from;
+      piece.add(to);
+      body(piece);
+      from = to;
+    }
+  }
+
+  void insert_edge(int e) {
+    boxes_of_edge(e, [&](const box& b) { edge_boxes_.insert(e, b); });
+  }
+  void insert_vertex(int v) { vertex_boxes_.insert(v, swept(v)); }
+
+  void look_from_vertex(int v) {
+    edge_boxes_.search(swept(v), [&](int e) {
+      if (front_.edges[e].alive) consider_contact(v, e);
+    });
+  }
+  void look_from_edge(int e) {
+    boxes_of_edge(e, [&](const box& b) {
+      vertex_boxes_.search(b, [&](int v) {
+        if (front_.vertices[v].alive) consider_contact(v, e);
+      });
+    });
+  }
+
+  // The reflex vertex reaches the line of the edge from inside, on the edge as it is now. Should the edge change, it is looked at again.
+  void consider_contact(int v, int e) {
+    const line_id a = front_.line_before(v);
+    const line_id b = front_.line_after(v);
+    const line_id c = front_.edges[e].line;
+    if (a == c || b == c || known_contact_[v] == c) return;
+    const triple q = sorted({a, b, c});
+    const interval when = motion_.time(q);
+    const double until = std::min({known_until_[v], known_until_[front_.edges[e].tail], known_until_[front_.edges[e].head]});
+    if (when.first > until || when.last < window_.first) return;
+    const auto m = k_.meet(q);
+    if (!m || k_.compare(*m, now_) != sign::positive) return;
+    if (k_.closing(*m) != lambda(q, static_cast<unsigned>(std::find(q.begin(), q.end(), c) - q.begin()))) return;
+    const line_id x = k_.transversal(c, a) ? a : b;
+    if (!contains(e, x, a, b, *m)) return;
+    queue_.push(*m);
+    known_contact_[v] = c;
+  }
+
+  // Whether the point where the edge's line meets lines a and b lies on the edge; x is the one of these to be asked.
+  bool contains(int e, line_id x, line_id a, line_id b, const meeting& m) const {
+    const line_id line = front_.edges[e].line;
+    const line_id t = front_.line_before(front_.edges[e].tail);
+    const line_id h = front_.line_after(front_.edges[e].head);
+    if (t != a && t != b && (k_.side(t, line, x, m) == sign::positive) != grows(k_, line, t)) return false;
+    return h == a || h == b || (k_.side(h, line, x, m) == sign::positive) != grows(k_, line, h);
+  }
+
+  void watch_collapse(int e) {
+    collapse_[e] = infinity;
+    const triple q = lines_at(e);
+    if (q[0] == q[1] || q[1] == q[2]) return;
+    const auto m = k_.meet(q);
+    if (!m || k_.compare(*m, now_) != sign::positive) return;
+    collapse_[e] = motion_.time(q).last;
+    queue_.push(*m);
+  }
+
+  // ---- events
+
+  // Sign of lambda_r of an ascending triple.
+  sign lambda(const triple& q, unsigned r) const {
+    if (r == 0) return k_.orientation(q[1], q[2]);
+    return r == 1 ? -k_.orientation(q[0], q[2]) : k_.orientation(q[0], q[1]);
+  }
+
+  static std::array<unsigned, 2> others(unsigned r) { return {r == 0 ? 1U : 0U, r == 2 ? 1U : 2U}; }
+
+  std::optional<neighbourhood> read(const meeting& m) const {
+    neighbourhood n{k_.planes(m), 0, nullptr, {}, m};
+    for (auto& by_label : n.edges) by_label.fill(-1);
+    for (unsigned r = 0; r < 3; ++r)
+      if (lambda(n.q, r) == k_.closing(m)) n.small |= 1U << r;
+    local::view seen = 0;
+    for (unsigned r = 0; r < 3; ++r) {
+      const auto [j, k] = others(r);
+      const line_id line = n.q[r];
+      const line_id x = k_.transversal(line, n.q[j]) ? n.q[j] : n.q[k];
+      bool any = false;
+      const std::array<unsigned, 2> two = {j, k};
+      order_.near(line, x, m, [&](int e) {
+        if (!contains(e, x, n.q[two[0]], n.q[two[1]], m)) return;
+        const line_id t = front_.line_before(front_.edges[e].tail);
+        const line_id h = front_.line_after(front_.edges[e].head);
+        for (cell label = 0; label < 8; ++label) {
+          if ((label >> r & 1U) != 0 || label == local::segment_label(n.small, r, true)) continue;
+          bool covers = true;
+          for (const unsigned o : two) {
+            const bool inside = (label >> o & 1U) != 0;
+            if (t == n.q[o]) covers = covers && inside == grows(k_, line, t);
+            if (h == n.q[o]) covers = covers && inside != grows(k_, line, h);
+          }
+          if (!covers) continue;
+          n.edges[r][label] = e;
+          seen |= local::piece_bit(r, label);
+          any = true;
+        }
+      });
+      if (!any) return std::nullopt;
+    }
+    n.event = local::find(n.small, seen);
+    if (n.event == nullptr) return std::nullopt;
+    return n;
+  }
+
+  // A corner of two of the three lines after the event: the edge that ends there and the one that starts.
+  struct corner {
+    int in = -1;
+    int out = -1;
+  };
+
+  void replace(const neighbourhood& n) {
+    const int node = static_cast<int>(result_.nodes.size());
+    result_.nodes.push_back({-1, n.q, event_class::edge});
+    ++changes_;
+    bool vanished = end_arcs(n, node);
+    std::array<corner, 3> corners;  // by the line that is not there
+    for (unsigned r = 0; r < 3; ++r) relink(n, r, corners);
+    static_cast<void>(vanished);
+    result_.nodes.back().event = vanished ? event_class::edge : event_class::split;
+    ++result_.events[vanished ? 0 : 1];
+    std::array<int, 6> touched{};
+    int count = 0;
+    for (const corner& c : corners) {
+      if (c.in < 0 && c.out < 0) continue;
+      if (c.in < 0 || c.out < 0) broken_invariant<K>("a vertex joins two edges");
+      const int v = add_vertex(c, n.q, node);
+      static_cast<void>(v);
+      touched[count++] = c.in;
+      touched[count++] = c.out;
+    }
+    std::sort(touched.begin(), touched.begin() + count);
+    count = static_cast<int>(std::unique(touched.begin(), touched.begin() + count) - touched.begin());
+    for (int i = 0; i < count; ++i) watch_collapse(touched[i]);
+    watch_contacts(touched, count);
+  }
+
+  // The vertices at the point end; tells whether an edge between two of them vanishes.
+  bool end_arcs(const neighbourhood& n, int node) {
+    bool vanished = false;
+    for (unsigned r = 0; r < 3; ++r) {
+      const int e = n.edges[r][local::segment_label(n.small, r, false)];
+      for (const int f : n.edges[r]) {
+        if (f < 0) continue;
+        end_arc(front_.edges[f].tail, n, node);
+        end_arc(front_.edges[f].head, n, node);
+      }
+      if (e < 0) continue;
+      const auto [j, k] = others(r);
+      const line_id t = front_.line_before(front_.edges[e].tail);
+      const line_id h = front_.line_after(front_.edges[e].head);
+      vanished = vanished || (t == n.q[j] && h == n.q[k]) || (t == n.q[k] && h == n.q[j]);
+    }
+    return vanished;
+  }
+
+  void end_arc(int v, const neighbourhood& n, int node) {
+    auto& vertex = front_.vertices[v];
+    const auto meets = [&](line_id l) { return std::find(n.q.begin(), n.q.end(), l) != n.q.end(); };
+    if (!vertex.alive || !meets(front_.line_before(v)) || !meets(front_.line_after(v))) return;
+    vertex.alive = false;
+    result_.arcs[vertex.arc].target = node;
+  }
+
+  // The pieces of line r after the event: its first ray, the segment and its last ray, in the direction of the line, and the corners between them.
+  void relink(const neighbourhood& n, unsigned r, std::array<corner, 3>& corners) {
+    const line_id line = n.q[r];
+    const auto [j, k] = others(r);
+    const cell last = (grows(k_, line, n.q[j]) ? 1U << j : 0U) | (grows(k_, line, n.q[k]) ? 1U << k : 0U);
+    const cell first = last ^ (1U << j | 1U << k);
+    const cell segment = local::segment_label(n.small, r, true);
+    // The corner between the first ray and the segment is where the cell changes its bit.
+    corner& near = corners[((first ^ segment) == 1U << j) ? k : j];
+    corner& far = corners[((last ^ segment) == 1U << j) ? k : j];
+    const bool through_first = local::has_edge(n.event->after, r, first);
+    const bool through_segment = local::has_edge(n.event->after, r, segment);
+    const bool through_last = local::has_edge(n.event->after, r, last);
+    int e = n.edges[r][first];
+    int f = n.edges[r][last];
+    const int middle = n.edges[r][local::segment_label(n.small, r, false)];
+    if (middle >= 0 && middle != e && middle != f) erase_edge(middle, n, r);
+    if (through_first && through_last && through_segment && e != f) {  // two edges of a line become one
+      front_.edges[e].head = front_.edges[f].head;
+      front_.vertices[front_.edges[f].head].in = e;
+      merge_faces(front_.edges[e].face, front_.edges[f].face);
+      erase_edge(f, n, r);
+    }
+    if (through_first && through_last && !through_segment && e == f) {  // cut in two
+      f = static_cast<int>(front_.edges.size());
+      front_.edges.push_back({line, -1, front_.edges[e].head, front_.edges[e].face, true});
+      front_.vertices[front_.edges[e].head].in = f;
+      collapse_.push_back(infinity);
+      living_.push_back(f);
+      ++alive_;
+      order_.insert_after(e, f);
+    }
+    if (through_first && !(through_segment && through_last)) (through_segment ? far : near).in = e;
+    if (through_last && !(through_segment && through_first)) (through_segment ? near : far).out = f;
+    if (through_segment && !through_first && !through_last) broken_invariant<K>("no edge comes from nowhere");
+  }
+
+  void erase_edge(int e, const neighbourhood&, unsigned) {
+    order_.erase(e);
+    front_.edges[e].alive = false;
+    --alive_;
+  }
+
+  int add_vertex(const corner& c, const triple& birth, int node) {
+    const int v = static_cast<int>(front_.vertices.size());
+    front_.vertices.push_back({c.in, c.out, -1, true});
+    front_.edges[c.in].head = v;
+    front_.edges[c.out].tail = v;
+    begin_arc(v, node);
+    paths_.push_back(motion_.begin(front_.edges[c.in].line, front_.edges[c.out].line, &birth));
+    known_until_.push_back(-infinity);
+    known_contact_.push_back(-1);
+    if (is_reflex(k_, front_, v)) reflex_.push_back(v);
+    return v;
+  }
+
+  // New vertices, those that live longer than was known, and the edges at them, are looked at anew.
+  void watch_contacts(const std::array<int, 6>& edges, int count) {
+    if (!(window_.last < infinity) && reflex_.empty()) return;
+    std::array<int, 12> vertices{};
+    int more = 0;
+    for (int i = 0; i < count; ++i)
+      for (const int v : {front_.edges[edges[i]].tail, front_.edges[edges[i]].head}) {
+        const double until = life(v);
+        if (until > known_until_[v]) vertices[more++] = v;
+        known_until_[v] = until;
+      }
+    std::array<int, 24> changed{};
+    int all = 0;
+    for (int i = 0; i < more; ++i) {
+      changed[all++] = front_.vertices[vertices[i]].in;
+      changed[all++] = front_.vertices[vertices[i]].out;
+    }
+    std::sort(changed.begin(), changed.begin() + all);
+    all = static_cast<int>(std::unique(changed.begin(), changed.begin() + all) - changed.begin());
+    for (int i = 0; i < all; ++i) {
+      insert_edge(changed[i]);
+      look_from_edge(changed[i]);
+    }
+    for (int i = 0; i < more; ++i) {
+      if (!is_reflex(k_, front_, vertices[i])) continue;
+      insert_vertex(vertices[i]);
+      look_from_vertex(vertices[i]);
+    }
+  }
+
+  const K& k_;
+  const outline& polygon_;
+  const Motion& motion_;
+  wavefront front_;
+  edge_order<K> order_;
+  meeting now_;
+  std::priority_queue<meeting, std::vector<meeting>, later> queue_;
+  skeleton result_;
+  int alive_ = 0;
+  std::vector<int> living_;  // edges, some of them dead
+  std::vector<int> reflex_;  // vertices, some of them dead
+
+  interval window_{0, 0};
+  double step_ = 0;
+  int changes_ = 0;
+  std::vector<typename Motion::path> paths_;  // by vertex
+  std::vector<double> known_until_;           // by vertex: so far its boxes in the trees reach
+  std::vector<line_id> known_contact_;        // by vertex: a line it meets that is in the queue
+  std::vector<double> collapse_;              // by edge: not later than this, as it is
+  box_tree edge_boxes_;
+  box_tree vertex_boxes_;
+};
+
+}  // namespace osteon::planar

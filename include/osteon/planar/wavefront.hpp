@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// The moving polygon: edges on lines, vertices between them, and the order of the edges on each line.
+
+#include <algorithm>
+#include <unordered_map>
+#include <vector>
+
+#include "osteon/error.hpp"
+#include "osteon/planar/kernel.hpp"
+#include "osteon/planar/polygon.hpp"
+
+namespace osteon::planar {
+
+/// Rings of edges, the interior on their left. Dead elements keep their numbers.
+struct wavefront {
+  struct edge {
+    line_id line;
+    int tail;  ///< vertex where it starts, in the direction that has the interior on the left
+    int head;
+    int face;
+    bool alive;
+  };
+  struct vertex {
+    int in;   ///< edge that ends here
+    int out;  ///< edge that starts here
+    int arc;
+    bool alive;
+  };
+  std::vector<edge> edges;
+  std::vector<vertex> vertices;
+
+  line_id line_before(int v) const { return edges[vertices[v].in].line; }
+  line_id line_after(int v) const { return edges[vertices[v].out].line; }
+};
+
+/// Whether points of line `of` lie inside line x beyond the point where they cross, seen in the direction of edges on `of`.
+template <planar_kernel K>
+bool grows(const K& k, line_id of, line_id x) {
+  return k.orientation(of, x) == sign::negative;
+}
+
+/// Whether the vertex turns left less than a half turn outwards: the polygon is the union, not the intersection, of two half-planes there.
+template <planar_kernel K>
+bool is_reflex(const K& k, const wavefront& front, int v) {
+  return k.orientation(front.line_before(v), front.line_after(v)) == sign::negative;
+}
+
+/// The living edges of each line in the order of its direction. Edges of one line never overlap, so their order never changes.
+template <planar_kernel K>
+class edge_order {
+ public:
+  edge_order(const K& k, const wavefront& front, int lines) : k_(k), front_(front), only_(lines, -1) {}
+
+  /// Adds an edge at time zero; lines that get several must be settled by sort() afterwards.
+  void add_unsorted(int e) {
+    const line_id line = front_.edges[e].line;
+    if (only_[line] == -1) {
+      only_[line] = e;
+      return;
+    }
+    auto& edges = several_[line];
+    if (edges.empty()) edges.push_back(only_[line]);
+    edges.push_back(e);
+    only_[line] = many;
+  }
+  /// Sorts the edges of lines with several by their rank.
+  void sort(const std::vector<int>& rank) {
+    for (auto& [line, edges] : several_) std::sort(edges.begin(), edges.end(), [&rank](int e, int f) { return rank[e] < rank[f]; });
+  }
+
+  /// Calls body(edge) for the at most three living edges of a line that may contain the point where it meets line x at the moment m.
+  template <class Body>
+  void near(line_id line, line_id x, const typename K::meeting& m, Body body) const {
+    if (only_[line] == -1) return;
+    if (only_[line] != many) {
+      body(only_[line]);
+      return;
+    }
+    const auto& edges = several_.at(line);
+    // The first edge that does not end before the point, one before it (it may end there), and one behind.
+    const auto at = std::partition_point(edges.begin(), edges.end(), [&](int e) { return ends_before(e, x, m); });
+    const auto from = at == edges.begin() ? at : at - 1;
+    for (auto e = from; e != edges.end() && e - at < 2; ++e) body(*e);
+  }
+
+  /// A new edge right behind `before` in the order of their line.
+  void insert_after(int before, int e) {
+    const line_id line = front_.edges[e].line;
+    auto& edges = several_[line];
+    if (only_[line] != many) edges = {only_[line]};
+    only_[line] = many;
+    edges.insert(place(edges, before) + 1, e);
+  }
+
+  void erase(int e) {
+    const line_id line = front_.edges[e].line;
+    if (only_[line] == e) {
+      only_[line] = -1;
+      return;
+    }
+    auto& edges = several_.at(line);
+    edges.erase(place(edges, e));
+    if (edges.size() == 1) {
+      only_[line] = edges.front();
+      several_.erase(line);
+    }
+  }
+
+ private:
+  static constexpr int many = -2;
+
+  bool ends_before(int e, line_id x, const typename K::meeting& m) const {
+    const line_id line = front_.edges[e].line;
+    const line_id end = front_.line_after(front_.edges[e].head);
+    if (end == x) return false;
+    const sign s = k_.side(end, line, x, m);
+    return s != sign::zero && (s == sign::positive) == grows(k_, line, end);
+  }
+
+  std::vector<int>::iterator place(std::vector<int>& edges, int e) const {
+    const auto at = std::find(edges.begin(), edges.end(), e);
+    if (at == edges.end()) broken_invariant<K>("an edge is in the order of its line");
+    return at;
+  }
+
+  const K& k_;
+  const wavefront& front_;
+  std::vector<int> only_;  // the only edge of a line, -1 for none, `many`
+  std::unordered_map<line_id, std::vector<int>> several_;
+};
+
+}  // namespace osteon::planar
