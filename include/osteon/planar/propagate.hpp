@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <queue>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,22 +36,30 @@ concept motion_bounds = requires(const M& m, const triple& q, const triple* birt
   { m.swept(p, t, t) } -> std::same_as<box>;
 };
 
+struct options {
+  bool outside = false;  ///< the interior is not bounded: vertices may move for ever
+  /// When to stop, in the motion's unit of time. Nothing later is computed; vertices that live then have no target.
+  double until = std::numeric_limits<double>::infinity();
+};
+
 /// One run of the wavefront. Candidates for events are meetings of three lines, nothing more: whether one is an event is read off the
 /// wavefront at its moment, so candidates never become stale. An edge that shrinks is known by its two neighbours. Reflex vertices and the edges
 /// they may reach are found window of time by window of time, by overlapping boxes of what they sweep in it.
 template <planar_kernel K, motion_bounds Motion>
 class propagation {
  public:
-  propagation(const K& k, const outline& polygon, const Motion& motion)
-      : k_(k), polygon_(polygon), motion_(motion), order_(k, front_, polygon.lines), now_(k.start()), queue_(later{&k}) {}
+  propagation(const K& k, const outline& polygon, const Motion& motion, const options& o = {})
+      : k_(k), polygon_(polygon), motion_(motion), options_(o), order_(k, front_, polygon.lines), now_(k.start()), queue_(later{&k}) {}
 
   /// Runs to the end. Throws unsupported_error (a part of the wavefront stands still for ever), undecided_error or invariant_error.
   /// Cost: n log n in practice for n vertices; memory linear.
   skeleton run() {
+    if (!(motion_.speed() > 0)) never_vanishes(0);
     initialise();
     while (alive_ > 0) {
       if (window_.last < infinity) {
         if (queue_.empty() || !(motion_.time(k_.planes(queue_.top())).last <= window_.last)) {
+          if (window_.last >= options_.until) break;
           if (8 * changes_ < static_cast<int>(living_.size())) step_ *= 2;
           open_window(window_.last);
           continue;
@@ -71,15 +82,14 @@ class propagation {
         replace(*found);
       }
     }
+    if (alive_ > 0 && !options_.outside && !(options_.until < infinity))
+      never_vanishes(std::find_if(front_.edges.begin(), front_.edges.end(), [](const auto& e) { return e.alive; })->face);
 
     for (auto& f : result_.faces) f = face_of(static_cast<int>(&f - result_.faces.data()));
     for (auto& a : result_.arcs)
       for (int& f : a.faces) f = result_.faces[f];
     return std::move(result_);
   }
-
-  /// The edges that never vanish: those of an unbounded wavefront, or held ones.
-  const wavefront& front() const { return front_; }
 
  private:
   using meeting = typename K::meeting;
@@ -102,6 +112,11 @@ class propagation {
     std::array<std::array<int, 8>, 3> edges;
     meeting when;
   };
+
+  [[noreturn]] static void never_vanishes(int edge) {
+    throw unsupported_error("edges of weight zero, among them that of vertex " + std::to_string(edge) +
+                            ", enclose a part of the polygon that never vanishes; cure: give one of them a weight");
+  }
 
   // ---- the start
 
@@ -220,20 +235,36 @@ class propagation {
     return !reflex_.empty();
   }
 
+  // Whether the wavefront is the outside of one convex polygon: then nothing meets any more.
+  bool surrounds() const {
+    if (reflex_.size() != living_.size()) return false;
+    std::size_t length = 0;
+    int e = living_.front();
+    do {
+      e = front_.vertices[front_.edges[e].head].out;
+      ++length;
+    } while (e != living_.front());
+    return length == living_.size();
+  }
+
   // Looks for all contacts of the next stretch of time.
   void open_window(double from) {
-    if (!reflex_left()) {
+    std::erase_if(living_, [this](int e) { return !front_.edges[e].alive; });
+    if (!reflex_left() || (options_.outside && surrounds())) {
       window_ = {from, infinity};
       return;
     }
-    std::erase_if(living_, [this](int e) { return !front_.edges[e].alive; });
     changes_ = 0;
-    window_ = {from, from + step_};
+    window_ = {from, std::min(from + step_, options_.until)};
     if (!(window_.last > window_.first)) window_.last = infinity;
-    edge_boxes_.clear(motion_.frame());
-    vertex_boxes_.clear(motion_.frame());
-    for (const int e : living_)
-      for (const int v : {front_.edges[e].tail, front_.edges[e].head}) known_until_[v] = life(v);
+    box frame;
+    for (const int e : living_) {
+      const int v = front_.edges[e].tail;
+      known_until_[v] = life(v);
+      frame.add(swept(v));
+    }
+    edge_boxes_.clear(frame);
+    vertex_boxes_.clear(frame);
     for (const int e : living_) insert_edge(e);
     for (const int v : reflex_) {
       insert_vertex(v);
@@ -464,29 +495,32 @@ class propagation {
     int e = n.edges[r][first];
     int f = n.edges[r][last];
     const int middle = n.edges[r][local::segment_label(n.small, r, false)];
-    if (middle >= 0 && middle != e && middle != f) erase_edge(middle, n, r);
-    if (through_first && through_last && through_segment && e != f) {  // two edges of a line become one
+    const line_id x = k_.transversal(line, n.q[j]) ? n.q[j] : n.q[k];
+    const bool middle_dies = middle >= 0 && middle != e && middle != f;
+    const bool merge = through_first && through_last && through_segment && e != f;
+    if (middle_dies) erase_edge(middle, x, n.when);
+    if (merge) erase_edge(f, x, n.when);
+    if (merge) {  // two edges of a line become one
       front_.edges[e].head = front_.edges[f].head;
       front_.vertices[front_.edges[f].head].in = e;
       merge_faces(front_.edges[e].face, front_.edges[f].face);
-      erase_edge(f, n, r);
     }
     if (through_first && through_last && !through_segment && e == f) {  // cut in two
       f = static_cast<int>(front_.edges.size());
       front_.edges.push_back({line, -1, front_.edges[e].head, front_.edges[e].face, true});
+      order_.insert_after(e, f, x, n.when);
       front_.vertices[front_.edges[e].head].in = f;
       collapse_.push_back(infinity);
       living_.push_back(f);
       ++alive_;
-      order_.insert_after(e, f);
     }
     if (through_first && !(through_segment && through_last)) (through_segment ? far : near).in = e;
     if (through_last && !(through_segment && through_first)) (through_segment ? near : far).out = f;
     if (through_segment && !through_first && !through_last) broken_invariant<K>("no edge comes from nowhere");
   }
 
-  void erase_edge(int e, const neighbourhood&, unsigned) {
-    order_.erase(e);
+  void erase_edge(int e, line_id x, const meeting& m) {
+    order_.erase(e, x, m);
     front_.edges[e].alive = false;
     --alive_;
   }
@@ -537,6 +571,7 @@ class propagation {
   const K& k_;
   const outline& polygon_;
   const Motion& motion_;
+  const options options_;
   wavefront front_;
   edge_order<K> order_;
   meeting now_;

@@ -81,28 +81,29 @@ class edge_order {
     }
     const auto& edges = several_.at(line);
     // The first edge that does not end before the point, one before it (it may end there), and one behind.
-    const auto at = std::partition_point(edges.begin(), edges.end(), [&](int e) { return ends_before(e, x, m); });
+    const auto at = reached(edges, x, m);
     const auto from = at == edges.begin() ? at : at - 1;
     for (auto e = from; e != edges.end() && e - at < 2; ++e) body(*e);
   }
 
-  /// A new edge right behind `before` in the order of their line.
-  void insert_after(int before, int e) {
+  /// A new edge right behind `before` in the order of their line, where that meets line x at the moment m.
+  void insert_after(int before, int e, line_id x, const typename K::meeting& m) {
     const line_id line = front_.edges[e].line;
     auto& edges = several_[line];
     if (only_[line] != many) edges = {only_[line]};
     only_[line] = many;
-    edges.insert(place(edges, before) + 1, e);
+    edges.insert(place(edges, before, x, m) + 1, e);
   }
 
-  void erase(int e) {
+  /// Takes out an edge that ends or starts where its line meets line x at the moment m.
+  void erase(int e, line_id x, const typename K::meeting& m) {
     const line_id line = front_.edges[e].line;
     if (only_[line] == e) {
       only_[line] = -1;
       return;
     }
     auto& edges = several_.at(line);
-    edges.erase(place(edges, e));
+    edges.erase(place(edges, e, x, m));
     if (edges.size() == 1) {
       only_[line] = edges.front();
       several_.erase(line);
@@ -120,10 +121,16 @@ class edge_order {
     return s != sign::zero && (s == sign::positive) == grows(k_, line, end);
   }
 
-  std::vector<int>::iterator place(std::vector<int>& edges, int e) const {
-    const auto at = std::find(edges.begin(), edges.end(), e);
-    if (at == edges.end()) broken_invariant<K>("an edge is in the order of its line");
-    return at;
+  // The first edge that reaches the point or lies behind it.
+  std::vector<int>::const_iterator reached(const std::vector<int>& edges, line_id x, const typename K::meeting& m) const {
+    return std::partition_point(edges.begin(), edges.end(), [&](int e) { return ends_before(e, x, m); });
+  }
+
+  std::vector<int>::const_iterator place(const std::vector<int>& edges, int e, line_id x, const typename K::meeting& m) const {
+    const auto at = reached(edges, x, m);
+    const auto found = std::find(at - std::min<std::ptrdiff_t>(2, at - edges.begin()), edges.end(), e);
+    if (found == edges.end()) broken_invariant<K>("an edge is in the order of its line");
+    return found;
   }
 
   const K& k_;

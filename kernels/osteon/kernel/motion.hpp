@@ -22,8 +22,8 @@ namespace osteon::planar {
 /// Follows vertices of two lines. All results are enclosures: rounding errors are bounded and added.
 class motion {
  public:
-  /// Lines, and points whose box contains all vertices at all times. `margin`: how far outside of it they may come, in the points' unit.
-  motion(std::span<const moving_line<integer>> lines, std::span<const std::array<integer, 2>> points, double margin = 0) {
+  /// Lines, and the points of the polygon: nothing leaves their box, unless it moves outside of the polygon.
+  motion(std::span<const moving_line<integer>> lines, std::span<const std::array<integer, 2>> points, bool outside = false) {
     int coordinate_bits = 0;
     for (const auto& p : points)
       for (const integer& x : p) coordinate_bits = std::max(coordinate_bits, bit_length(x));
@@ -41,10 +41,13 @@ class motion {
     for (const auto& p : points) frame_.add(box::at({to_double(p[0], shift), to_double(p[1], shift)}));
     const double size = std::max({std::abs(frame_.low[0]), std::abs(frame_.low[1]), std::abs(frame_.high[0]), std::abs(frame_.high[1])});
     rounding_ = size * 0x1p-48;
-    frame_.grow(rounding_ + std::ldexp(margin, -shift));
+    frame_.grow(outside ? 1e300 : rounding_);
+    unit_ = std::ldexp(1.0, shift - weight_bits);
   }
 
   const box& frame() const { return frame_; }
+  /// This time as it counts here: the kernels' is too great or small for doubles where coordinates are.
+  double moment(double kernel_time) const { return kernel_time / unit_; }
   /// The greatest speed of a line.
   double speed() const { return speed_; }
 
@@ -155,8 +158,11 @@ class motion {
       const interval& v = p.velocity[axis];
       if (most > 0 && !(most * std::max(std::abs(v.first), std::abs(v.last)) < infinity)) return frame_;
       if (most == 0) continue;
-      b.low[axis] += std::min(least * v.first, most * v.first) - rounding_;
-      b.high[axis] += std::max(least * v.last, most * v.last) + rounding_;
+      b.low[axis] += std::min(least * v.first, most * v.first);
+      b.high[axis] += std::max(least * v.last, most * v.last);
+      const double slack = rounding_ + 0x1p-48 * std::max(std::abs(b.low[axis]), std::abs(b.high[axis]));
+      b.low[axis] -= slack;
+      b.high[axis] += slack;
     }
     return b;
   }
@@ -165,6 +171,7 @@ class motion {
   box frame_;
   double rounding_ = 0;
   double speed_ = 0;
+  double unit_ = 1;
 };
 
 }  // namespace osteon::planar
