@@ -52,8 +52,8 @@ struct model {
   bool flip = false;
   bool triangulate = false;
 
-  void add_to(CLI::App& command) {
-    command.add_option("FILE", file, "a closed polyhedron as Wavefront OBJ; - for standard input")->required();
+  void add_to(CLI::App& command, const std::string& what = "a closed polyhedron as Wavefront OBJ") {
+    command.add_option("FILE", file, what + "; - for standard input")->required();
     command.add_flag("--flip", flip, "reverse all facets, for a model whose normals point inwards");
     command.add_flag("--triangulate", triangulate, "cut facets that are not planar into triangles");
   }
@@ -94,16 +94,21 @@ auto with_kernel(const std::string& name, std::span<const moving_plane<integer>>
   return body(perturbed(filtered(planes, make_sqrt_kernel(planes))));
 }
 
-/// Writes to a new file first, so that nothing is lost when that fails.
-inline void write_file(const std::string& name, const std::string& text) {
+/// Writes to a new file first, so that nothing is lost when that fails. write(stream) gives the text.
+template <class Write>
+void write_file(const std::string& name, Write write) {
   const std::string fresh = name + ".part";
   {
     std::ofstream out(fresh, std::ios::binary);
-    out << text;
+    write(out);
     out.flush();
     if (!out) throw input_error(input_fault::unreadable, 0, name + ": cannot be written", "check the folder and the space on the disk");
   }
   std::filesystem::rename(fresh, name);
+}
+
+inline void write_file(const std::string& name, const std::string& text) {
+  write_file(name, [&text](std::ostream& out) { out << text; });
 }
 
 /// The kernel that commands use which do not ask for one.

@@ -9,12 +9,12 @@
 #include <istream>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "json_reader.hpp"
 #include "osteon/contract.hpp"
 #include "osteon/error.hpp"
 #include "osteon/kernel/integer.hpp"
@@ -23,8 +23,6 @@
 #include "osteon/solid.hpp"
 
 namespace osteon::app {
-
-using json = nlohmann::ordered_json;
 
 inline constexpr const char* skeleton_format = "osteon skeleton 2";
 
@@ -127,14 +125,12 @@ struct skeleton_file {
 
 /// Reads what skeleton_document writes. Throws input_error(not_skeleton) naming the element where the text has another shape; whether the numbers
 /// make sense is not looked at (verify does), but all fit into their types. Linear in the text.
-class skeleton_reader {
+class skeleton_reader : json_reader {
  public:
-  skeleton_reader(std::string name, const solid<integer>& of) : name_(std::move(name)), of_(of) {}
+  skeleton_reader(std::string name, const solid<integer>& of) : json_reader(std::move(name)), of_(of) {}
 
   skeleton_file read(std::istream& in) {
-    const json doc = json::parse(in, nullptr, false);
-    if (doc.is_discarded()) wrong("", "is no JSON text");
-    if (text(doc, "format", "") != skeleton_format) wrong("format", std::string("is not \"") + skeleton_format + '"');
+    const json doc = parse(in, skeleton_format);
     skeleton_file result;
     result.by = {text(doc, "kernel", ""), text(doc, "prefer", ""), text(doc, "saddle", "")};
     for_each(doc, "planes", [&](const json& p, const std::string& at) {
@@ -149,63 +145,6 @@ class skeleton_reader {
   }
 
  private:
-  [[noreturn]] void wrong(const std::string& at, const std::string& what) const {
-    throw input_error(input_fault::not_skeleton, 0, name_ + ": " + (at.empty() ? "" : at + " ") + what,
-                      "give a file that `osteon skeleton --output` has written");
-  }
-
-  const json& member(const json& of, const char* key, const std::string& at) const {
-    if (!of.is_object() || !of.contains(key)) wrong(at.empty() ? key : at + "." + key, "is missing");
-    return of[key];
-  }
-  std::string text(const json& of, const char* key, const std::string& at) const {
-    const json& value = member(of, key, at);
-    if (!value.is_string()) wrong(at.empty() ? key : at + "." + key, "is no text");
-    return value.get<std::string>();
-  }
-  int whole(const json& value, const std::string& at) const {
-    if (!value.is_number_integer() || (value.is_number_unsigned() && value.get<std::uint64_t>() > std::numeric_limits<int>::max()) ||
-        value.get<std::int64_t>() > std::numeric_limits<int>::max() || value.get<std::int64_t>() < std::numeric_limits<int>::min())
-      wrong(at, "is no whole number of 32 bits");
-    return value.get<int>();
-  }
-  int whole(const json& of, const char* key, const std::string& at) const { return whole(member(of, key, at), at + "." + key); }
-  std::vector<int> list(const json& of, const char* key, const std::string& at) const { return list(member(of, key, at), at + "." + key); }
-  std::vector<int> list(const json& value, const std::string& at) const {
-    if (!value.is_array()) wrong(at, "is no list");
-    std::vector<int> result;
-    for (std::size_t i = 0; i < value.size(); ++i) result.push_back(whole(value[i], at + "[" + std::to_string(i) + "]"));
-    return result;
-  }
-  template <std::size_t N>
-  std::array<int, N> tuple(const json& of, const char* key, const std::string& at) const {
-    const std::vector<int> numbers = list(of, key, at);
-    if (numbers.size() != N) wrong(at + "." + key, "needs " + std::to_string(N) + " numbers");
-    std::array<int, N> result{};
-    std::copy(numbers.begin(), numbers.end(), result.begin());
-    return result;
-  }
-  integer exact_number_in(const json& value, const std::string& at) const {
-    const std::string digits = value.is_string() ? value.get<std::string>() : "";
-    const std::size_t sign = digits.starts_with('-') ? 1 : 0;
-    if (digits.size() == sign || digits.find_first_not_of("0123456789", sign) != std::string::npos) wrong(at, "is no whole number in quotes");
-    const std::size_t zeros = std::min(digits.find_first_not_of('0', sign), digits.size() - 1);  // a leading zero would mean base eight
-    return integer(digits.substr(0, sign) + digits.substr(zeros));
-  }
-  std::vector<integer> exact_numbers(const json& value, const std::string& at) const {
-    if (!value.is_array()) wrong(at, "is no list");
-    std::vector<integer> result;
-    for (const json& x : value) result.push_back(exact_number_in(x, at));
-    return result;
-  }
-  template <class Visit>
-  void for_each(const json& of, const char* key, Visit visit, const std::string& at = "") const {
-    const json& all = member(of, key, at);
-    const std::string path = at.empty() ? key : at + "." + key;
-    if (!all.is_array()) wrong(path, "is no list");
-    for (std::size_t i = 0; i < all.size(); ++i) visit(all[i], path + "[" + std::to_string(i) + "]");
-  }
-
   void read_raw(const json& doc, skeleton& s) const {
     std::multimap<int, int> vertices_at;  // by point of the input; several where fans of facets touch
     for (std::size_t v = 0; v < of_.input_points.size(); ++v) vertices_at.emplace(of_.input_points[v] + 1, static_cast<int>(v));
@@ -288,7 +227,6 @@ class skeleton_reader {
     s.cells = whole(doc, "cells", in);
   }
 
-  std::string name_;
   const solid<integer>& of_;
 };
 

@@ -123,7 +123,7 @@ TEST(PlanarModel, SeedsMatter) {
 }
 
 TEST(PlanarModel, SomeAreAxisParallel) {
-  for (const char* name : {"rectilinear-hilbert", "rectilinear", "touching-cells", "grid-of-holes", "stairs"})
+  for (const char* name : {"rectilinear-hilbert", "rectilinear", "touching-cells", "grid-of-holes", "staircase"})
     EXPECT_TRUE(axis_parallel(kind_of(name).make(40, 1))) << name;
   for (const char* name : {"hilbert", "jittered-cells"}) EXPECT_FALSE(axis_parallel(kind_of(name).make(40, 1))) << name;
 }

@@ -58,6 +58,7 @@ class contraction {
     int raw;  ///< its first node
     int moment;
     std::array<line_id, 2> corner;
+    int same = -1;  ///< an earlier place that it has turned out to be
   };
   // A stretch between two places and the faces beside it, each in each other's turn: what is met twice is gone.
   struct stretch {
@@ -98,7 +99,11 @@ class contraction {
       int found = -1;
       for (const line_id l : node.lines)
         for (const int q : here[static_cast<std::uint32_t>(l)])
-          if (found < 0 && lies_on(p, places_[q].corner[0]) && lies_on(p, places_[q].corner[1])) found = q;
+          if (root(q) != found && lies_on(p, places_[q].corner[0]) && lies_on(p, places_[q].corner[1])) {
+            // Several, so far without a common line, may turn out to be one.
+            if (found >= 0) places_[std::max(found, root(q))].same = std::min(found, root(q));
+            found = found < 0 ? root(q) : std::min(found, root(q));
+          }
       if (found < 0) {
         found = static_cast<int>(places_.size());
         places_.push_back(p);
@@ -109,6 +114,12 @@ class contraction {
         if (std::find(list.begin(), list.end(), found) == list.end()) list.push_back(found);
       }
     }
+    for (int& p : place_of_) p = root(p);
+  }
+
+  int root(int p) const {
+    while (places_[p].same >= 0) p = places_[p].same;
+    return p;
   }
 
   std::array<line_id, 2> corner_of(const triple& lines) const {
@@ -159,11 +170,15 @@ class contraction {
         l = up->second;
       }
     };
-    for (const int a : arcs) same[root(line_[raw_.arcs[a].faces[0]])] = root(line_[raw_.arcs[a].faces[1]]);
+    for (const int a : arcs) {
+      const line_id of = root(line_[raw_.arcs[a].faces[1]]);
+      same.try_emplace(of, of);
+      same[root(line_[raw_.arcs[a].faces[0]])] = of;
+    }
     std::unordered_map<line_id, std::vector<int>> on;
     for (const int n : nodes)
       for (const line_id l : raw_.nodes[n].lines)
-        if (const line_id r = root(l); same.contains(l) || r != l) on[r].push_back(place_of_[n]);
+        if (same.contains(l)) on[root(l)].push_back(place_of_[n]);
     for (auto& [line, places] : on) {
       std::sort(places.begin(), places.end());
       places.erase(std::unique(places.begin(), places.end()), places.end());

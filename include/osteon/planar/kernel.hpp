@@ -37,4 +37,13 @@ concept planar_kernel = std::copyable<typename K::meeting> &&
   { k.side(c, a, b, m) } -> std::same_as<sign>;
 };
 
+/// A kernel that knows what becomes of its answers when its perturbation goes to zero.
+template <class K>
+concept limit_kernel = planar_kernel<K> && requires(const K& k, line_id a, const typename K::meeting& m) {
+  { k.has_moment(m) } -> std::same_as<bool>;
+  { k.same_moment(m, m) } -> std::same_as<bool>;
+  // Whether the corner of the last two lines lies on the first at the moment.
+  { k.touches(a, a, a, m) } -> std::same_as<bool>;
+};
+
 }  // namespace osteon::planar

@@ -540,7 +540,7 @@ inline const std::vector<kind>& kinds() {
       {"stretched-cells", "vertices, about", 60, 4, most, false, stretched_cells},
       {"touching-cells", "vertices, about", 60, 4, most, true, touching_cells},
       {"grid-of-holes", "holes a side", 4, 1, 1500, false, [](int k, std::uint64_t) { return grid_of_holes(k); }},
-      {"stairs", "vertices", 20, 4, most, false, [](int n, std::uint64_t) { return stairs(n); }},
+      {"staircase", "vertices", 20, 4, most, false, [](int n, std::uint64_t) { return stairs(n); }},
       {"symmetric", "vertices", 40, 4, most, false, symmetric},
       {"regular", "vertices", 12, 3, most, false, [](int n, std::uint64_t) { return regular(n); }},
       {"gear", "vertices", 48, 8, most, false, [](int n, std::uint64_t) { return gear(n); }},

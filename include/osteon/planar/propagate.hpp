@@ -30,6 +30,7 @@ template <class M>
 concept motion_bounds = requires(const M& m, const triple& q, const triple* birth, line_id a, typename M::path p, double t) {
   { m.frame() } -> std::convertible_to<box>;
   { m.speed() } -> std::convertible_to<double>;
+  { m.is_held(a) } -> std::same_as<bool>;
   { m.time(q) } -> std::same_as<interval>;
   { m.place(q) } -> std::same_as<box>;
   { m.begin(a, a, birth) } -> std::same_as<typename M::path>;
@@ -49,7 +50,7 @@ template <planar_kernel K, motion_bounds Motion>
 class propagation {
  public:
   propagation(const K& k, const outline& polygon, const Motion& motion, const options& o = {})
-      : k_(k), polygon_(polygon), motion_(motion), options_(o), order_(k, front_, polygon.lines), now_(k.start()), queue_(later{&k}) {}
+      : k_(k), polygon_(polygon), motion_(motion), options_(o), order_(k, front_, polygon.lines), now_(k.start()), moment_(now_), queue_(later{&k}) {}
 
   /// Runs to the end. Throws unsupported_error (a part of the wavefront stands still for ever), undecided_error or invariant_error.
   /// Cost: n log n in practice for n vertices; memory linear.
@@ -66,24 +67,32 @@ class propagation {
         }
         if (2 * changes_ > static_cast<int>(living_.size()) + 100) {
           // Too much happens: what has changed crowds the trees.
-          const double time = std::clamp(motion_.time(k_.planes(now_)).first, window_.first, window_.last);
+          const double time = std::clamp(now_first_, window_.first, window_.last);
           step_ = std::clamp((time - window_.first) / 2, step_ / 16, step_ / 2);
           open_window(time);
           continue;
         }
       } else {
-        if (queue_.empty()) break;
+        if (queue_.empty() && !settle()) break;
+        if (queue_.empty()) continue;
       }
+      if (!fresh_.empty() && !same_moment(queue_.top()) && settle()) continue;
       const meeting m = queue_.top();
       queue_.pop();
       if (k_.compare(m, now_) != sign::positive) continue;
       if (const auto found = read(m)) {
         now_ = m;
+        if constexpr (limit_kernel<K>)
+          if (k_.has_moment(m)) moment_ = m;
+        now_first_ = motion_.time(found->q).first;
         replace(*found);
       }
     }
-    if (alive_ > 0 && !options_.outside && !(options_.until < infinity))
+    if (alive_ > 0 && !options_.outside && !(options_.until < infinity)) {
+      for (const auto& e : front_.edges)
+        if (e.alive && !motion_.is_held(e.line)) broken_invariant<K>("the wavefront vanishes");
       never_vanishes(std::find_if(front_.edges.begin(), front_.edges.end(), [](const auto& e) { return e.alive; })->face);
+    }
 
     for (auto& f : result_.faces) f = face_of(static_cast<int>(&f - result_.faces.data()));
     for (auto& a : result_.arcs)
@@ -95,6 +104,7 @@ class propagation {
   using meeting = typename K::meeting;
   using cell = local::cell;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr interval never = {infinity, infinity};
 
   struct later {
     const K* k;
@@ -146,7 +156,7 @@ class propagation {
     for (int e = 0; e < n; ++e) living_.push_back(e);
     known_until_.assign(paths_.size(), -infinity);
     known_contact_.assign(paths_.size(), -1);
-    collapse_.assign(n, infinity);
+    collapse_.assign(n, never);
     for (int e = 0; e < n; ++e)
       if (front_.edges[e].alive) watch_collapse(e);
     window_ = {0, 0};
@@ -250,13 +260,14 @@ class propagation {
   // Looks for all contacts of the next stretch of time.
   void open_window(double from) {
     std::erase_if(living_, [this](int e) { return !front_.edges[e].alive; });
-    if (!reflex_left() || (options_.outside && surrounds())) {
-      window_ = {from, infinity};
-      return;
-    }
     changes_ = 0;
-    window_ = {from, std::min(from + step_, options_.until)};
+    const bool contacts = reflex_left() && !(options_.outside && surrounds());
+    window_ = {from, contacts ? std::min(from + step_, options_.until) : options_.until};
     if (!(window_.last > window_.first)) window_.last = infinity;
+    for (const int e : living_)
+      if (collapse_[e].first > queued_until_ && collapse_[e].first <= window_.last && !queue_collapse(lines_at(e))) collapse_[e] = never;
+    queued_until_ = std::max(queued_until_, window_.last);
+    if (!contacts) return;
     box frame;
     for (const int e : living_) {
       const int v = front_.edges[e].tail;
@@ -273,15 +284,15 @@ class propagation {
   }
 
   // No longer than this is a vertex what it is, as far as is known.
-  double life(int v) const { return std::min(window_.last, std::min(collapse_[front_.vertices[v].in], collapse_[front_.vertices[v].out])); }
+  double life(int v) const { return std::min(window_.last, std::min(collapse_[front_.vertices[v].in].last, collapse_[front_.vertices[v].out].last)); }
 
   // Between its start and where it may end. Vertices of nearly parallel lines are fast, but do not come far.
   box swept(int v) const {
     box b = motion_.swept(paths_[v], window_.first, known_until_[v]);
     const int in = front_.vertices[v].in;
     const int out = front_.vertices[v].out;
-    const int e = collapse_[in] < collapse_[out] ? in : out;
-    if (collapse_[e] < infinity) {
+    const int e = collapse_[in].last < collapse_[out].last ? in : out;
+    if (collapse_[e].last < infinity) {
       box whole = paths_[v].start;
       whole.add(motion_.place(lines_at(e)));
       b.cut(whole);
@@ -364,13 +375,21 @@ class propagation {
   }
 
   void watch_collapse(int e) {
-    collapse_[e] = infinity;
+    collapse_[e] = never;
     const triple q = lines_at(e);
     if (q[0] == q[1] || q[1] == q[2]) return;
+    const interval when = motion_.time(q);
+    if (when.last < now_first_) return;
+    collapse_[e] = when;
+    if (when.first <= queued_until_ && !queue_collapse(q)) collapse_[e] = never;
+  }
+
+  // Whether three lines still meet. Collapses beyond all windows so far wait: most edges have changed by then.
+  bool queue_collapse(const triple& q) {
     const auto m = k_.meet(q);
-    if (!m || k_.compare(*m, now_) != sign::positive) return;
-    collapse_[e] = motion_.time(q).last;
+    if (!m || k_.compare(*m, now_) != sign::positive) return false;
     queue_.push(*m);
+    return true;
   }
 
   // ---- events
@@ -430,26 +449,86 @@ class propagation {
     const int node = static_cast<int>(result_.nodes.size());
     result_.nodes.push_back({-1, n.q, event_class::edge});
     ++changes_;
-    bool vanished = end_arcs(n, node);
+    const bool vanished = end_arcs(n, node);
     std::array<corner, 3> corners;  // by the line that is not there
-    for (unsigned r = 0; r < 3; ++r) relink(n, r, corners);
-    static_cast<void>(vanished);
+    std::array<int, 3> merged{};
+    for (unsigned r = 0; r < 3; ++r) merged[r] = relink(n, r, corners);
     result_.nodes.back().event = vanished ? event_class::edge : event_class::split;
     ++result_.events[vanished ? 0 : 1];
-    std::array<int, 6> touched{};
+    std::array<int, 9> touched{};
     int count = 0;
+    for (unsigned r = 0; r < 3; ++r)
+      if (merged[r] >= 0) touched[count++] = merged[r];
     for (const corner& c : corners) {
       if (c.in < 0 && c.out < 0) continue;
       if (c.in < 0 || c.out < 0) broken_invariant<K>("a vertex joins two edges");
-      const int v = add_vertex(c, n.q, node);
-      static_cast<void>(v);
+      add_vertex(c, n.q, node);
       touched[count++] = c.in;
       touched[count++] = c.out;
     }
     std::sort(touched.begin(), touched.begin() + count);
     count = static_cast<int>(std::unique(touched.begin(), touched.begin() + count) - touched.begin());
-    for (int i = 0; i < count; ++i) watch_collapse(touched[i]);
-    watch_contacts(touched, count);
+    watch(touched, count);
+  }
+
+  // Edges with a new end.
+  void watch(const std::array<int, 9>& edges, int count) {
+    for (int i = 0; i < count; ++i) {
+      watch_collapse(edges[i]);
+      fresh_.push_back(edges[i]);
+    }
+    watch_contacts(edges, count);
+  }
+
+  // Whether the present moment goes on with this meeting, as far as it matters to settle().
+  bool same_moment(const meeting& m) const {
+    if constexpr (limit_kernel<K>) return !k_.has_moment(m) || k_.same_moment(m, moment_);
+    return true;
+  }
+
+  // At the end of a moment. Where two reflex vertices meet, the edges between them vanish together; perturbed, one goes first and another one,
+  // of length zero in the limit, would grow again. The skeleton is discontinuous there, and by its definition edges of length zero go (AAAG95, 2). So
+  // they do: what that changes is infinitely small. Tells whether there was one.
+  bool settle() {
+    bool any = false;
+    if constexpr (limit_kernel<K>)
+      for (std::size_t i = 0; i < fresh_.size(); ++i)
+        if (const int e = fresh_[i]; front_.edges[e].alive) {
+          const line_id t = front_.line_before(front_.edges[e].tail);
+          const line_id h = front_.line_after(front_.edges[e].head);
+          const line_id line = front_.edges[e].line;
+          if (t == h || !k_.transversal(line, h) || !k_.touches(h, t, line, moment_)) continue;
+          remove(e);
+          any = true;
+        }
+    fresh_.clear();
+    return any;
+  }
+
+  // Takes an edge of length zero out of its ring.
+  void remove(int e) {
+    const int tail = front_.edges[e].tail;
+    const int head = front_.edges[e].head;
+    const corner joined = {front_.vertices[tail].in, front_.vertices[head].out};
+    const triple lines = lines_at(e);
+    const int node = static_cast<int>(result_.nodes.size());
+    result_.nodes.push_back({-1, lines, event_class::edge, true});
+    ++result_.events[0];
+    const line_id x = front_.edges[joined.in].line;
+    erase_edge(e, k_.transversal(x, front_.edges[e].line) ? x : front_.edges[joined.out].line, now_);
+    const auto end = [&](int v) {
+      front_.vertices[v].alive = false;
+      result_.arcs[front_.vertices[v].arc].target = node;
+    };
+    end(tail);
+    end(head);
+    if (front_.edges[joined.in].tail == front_.edges[joined.out].head) {  // nothing is left of the ring
+      end(front_.edges[joined.in].tail);
+      for (const int last : {joined.in, joined.out}) erase_edge(last, front_.edges[last == joined.in ? joined.out : joined.in].line, now_);
+      return;
+    }
+    add_vertex(joined, lines, node);
+    watch({joined.in, joined.out}, 2);
   }
 
   // The vertices at the point end; tells whether an edge between two of them vanishes.
@@ -480,7 +559,8 @@ class propagation {
   }
 
   // The pieces of line r after the event: its first ray, the segment and its last ray, in the direction of the line, and the corners between them.
-  void relink(const neighbourhood& n, unsigned r, std::array<corner, 3>& corners) {
+  // Returns an edge that two have become, or -1.
+  int relink(const neighbourhood& n, unsigned r, std::array<corner, 3>& corners) {
     const line_id line = n.q[r];
     const auto [j, k] = others(r);
     const cell last = (grows(k_, line, n.q[j]) ? 1U << j : 0U) | (grows(k_, line, n.q[k]) ? 1U << k : 0U);
@@ -510,13 +590,14 @@ class propagation {
       front_.edges.push_back({line, -1, front_.edges[e].head, front_.edges[e].face, true});
       order_.insert_after(e, f, x, n.when);
       front_.vertices[front_.edges[e].head].in = f;
-      collapse_.push_back(infinity);
+      collapse_.push_back(never);
       living_.push_back(f);
       ++alive_;
     }
     if (through_first && !(through_segment && through_last)) (through_segment ? far : near).in = e;
     if (through_last && !(through_segment && through_first)) (through_segment ? near : far).out = f;
     if (through_segment && !through_first && !through_last) broken_invariant<K>("no edge comes from nowhere");
+    return merge ? e : -1;
   }
 
   void erase_edge(int e, line_id x, const meeting& m) {
@@ -538,10 +619,10 @@ class propagation {
     return v;
   }
 
-  // New vertices, those that live longer than was known, and the edges at them, are looked at anew.
-  void watch_contacts(const std::array<int, 6>& edges, int count) {
+  // These edges, vertices that live longer than was known, and the edges at them, are looked at anew.
+  void watch_contacts(const std::array<int, 9>& edges, int count) {
     if (!(window_.last < infinity) && reflex_.empty()) return;
-    std::array<int, 12> vertices{};
+    std::array<int, 18> vertices{};
     int more = 0;
     for (int i = 0; i < count; ++i)
       for (const int v : {front_.edges[edges[i]].tail, front_.edges[edges[i]].head}) {
@@ -549,8 +630,9 @@ class propagation {
         if (until > known_until_[v]) vertices[more++] = v;
         known_until_[v] = until;
       }
-    std::array<int, 24> changed{};
-    int all = 0;
+    std::array<int, 45> changed{};
+    int all = count;
+    std::copy_n(edges.begin(), count, changed.begin());
     for (int i = 0; i < more; ++i) {
       changed[all++] = front_.vertices[vertices[i]].in;
       changed[all++] = front_.vertices[vertices[i]].out;
@@ -575,6 +657,7 @@ class propagation {
   wavefront front_;
   edge_order<K> order_;
   meeting now_;
+  meeting moment_;  // the last one that has a moment in the limit
   std::priority_queue<meeting, std::vector<meeting>, later> queue_;
   skeleton result_;
   int alive_ = 0;
@@ -582,12 +665,15 @@ class propagation {
   std::vector<int> reflex_;  // vertices, some of them dead
 
   interval window_{0, 0};
+  double now_first_ = 0;             // the present moment is not earlier
+  double queued_until_ = -infinity;  // so far all collapses are in the queue
   double step_ = 0;
   int changes_ = 0;
+  std::vector<int> fresh_;                    // edges that have changed at this moment
   std::vector<typename Motion::path> paths_;  // by vertex
   std::vector<double> known_until_;           // by vertex: so far its boxes in the trees reach
   std::vector<line_id> known_contact_;        // by vertex: a line it meets that is in the queue
-  std::vector<double> collapse_;              // by edge: not later than this, as it is
+  std::vector<interval> collapse_;            // by edge: when it vanishes, as it is
   box_tree edge_boxes_;
   box_tree vertex_boxes_;
 };

@@ -21,6 +21,7 @@ struct skeleton {
     int vertex;         ///< of the polygon, or -1
     triple lines;       ///< that meet, ascending; of a vertex its two lines and -1
     event_class event;  ///< meaningless for a vertex
+    bool late = false;  ///< the edge that vanishes has length zero in the limit only (see propagation::settle)
   };
   struct arc {
     int source;

@@ -50,6 +50,8 @@ class motion {
   double moment(double kernel_time) const { return kernel_time / unit_; }
   /// The greatest speed of a line.
   double speed() const { return speed_; }
+  /// Whether a line does not move.
+  bool is_held(line_id l) const { return units_[l].speed == 0; }
 
   /// When three lines meet, if that is after time zero; where rounding leaves it open, not before the first moment given.
   interval time(const triple& q) const {

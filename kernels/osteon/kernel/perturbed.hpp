@@ -81,6 +81,15 @@ class perturbed {
     return side_of({a, b, c}, m, [&] { return k_.side(c, a, b, m.base); });
   }
 
+  /// Whether a meeting has a moment in the limit: not where S is zero there.
+  bool has_moment(const meeting& m) const { return m.regular; }
+  /// Whether two meetings that have one have the same.
+  bool same_moment(const meeting& m, const meeting& n) const { return k_.compare(m.base, n.base) == sign::zero; }
+  /// Whether the corner (a,b) lies on line c in the limit.
+  bool touches(plane_id c, plane_id a, plane_id b, const meeting& m) const requires(dimension == 2) {
+    return k_.transversal(a, b) && k_.side(c, a, b, m.base) == sign::zero;
+  }
+
   bisector_type bisector(plane_id a, plane_id b) const { return k_.bisector(a, b); }
   sign compare(const bisector_type& e, const bisector_type& f) const requires(dimension == 3) { return k_.compare(e, f); }
   sign compare_volume(std::span<const triple> s, std::span<const triple> t) const requires(dimension == 3) { return k_.compare_volume(s, t); }

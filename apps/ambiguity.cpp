@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#pragma once
-
 /// \file
 /// osteon ambiguity: how many skeletons a solid may have, and a walk through some of them.
 
@@ -13,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "commands.hpp"
 #include "common.hpp"
 #include "documents.hpp"
 #include "osteon/ambiguity.hpp"
@@ -20,6 +19,7 @@
 #include "osteon/propagate.hpp"
 
 namespace osteon::app {
+namespace {
 
 struct ambiguity_command {
   model input;
@@ -100,5 +100,12 @@ struct ambiguity_command {
       fmt::print(stderr, "osteon: {} seeds led to {} different skeletons only\n", at - seed, seen.size());
   }
 };
+
+}  // namespace
+
+void add_ambiguity(CLI::App& program) {
+  static ambiguity_command command;
+  command.add_to(program);
+}
 
 }  // namespace osteon::app

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#pragma once
-
 /// \file
 /// osteon splits: the ways to split one vertex.
 
@@ -16,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "commands.hpp"
 #include "common.hpp"
 #include "documents.hpp"
 #include "osteon/ambiguity.hpp"
@@ -24,6 +23,7 @@
 #include "osteon/split_search.hpp"
 
 namespace osteon::app {
+namespace {
 
 struct splits_command {
   model input;
@@ -135,8 +135,6 @@ struct splits_command {
   }
 
   void draw(const solid<integer>& s, const corner& c) const {
-    if (!has_different_planes(c))
-      throw unsupported_error("not yet: candidates of a vertex with several facets in one plane; cure: list them with --all");
     const auto k = default_kernel(s);
     const splitter trees(k, c);
     std::mt19937_64 random(seed);
@@ -216,5 +214,12 @@ struct splits_command {
     }
   }
 };
+
+}  // namespace
+
+void add_splits(CLI::App& program) {
+  static splits_command command;
+  command.add_to(program);
+}
 
 }  // namespace osteon::app

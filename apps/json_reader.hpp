@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// Taking numbers and lists out of JSON texts of strangers: what is not of the expected shape is an error that names the element.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <istream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "osteon/error.hpp"
+#include "osteon/kernel/integer.hpp"
+
+namespace osteon::app {
+
+using json = nlohmann::ordered_json;
+
+/// Base of the readers of skeleton documents. All throw input_error(not_skeleton).
+class json_reader {
+ public:
+  /// `name`: the file's.
+  explicit json_reader(std::string name) : name_(std::move(name)) {}
+
+ protected:
+  json parse(std::istream& in, const std::string& format) const {
+    json doc = json::parse(in, nullptr, false);
+    if (doc.is_discarded()) wrong("", "is no JSON text");
+    if (text(doc, "format", "") != format) wrong("format", std::string("is not \"") + format + '"');
+    return doc;
+  }
+
+  [[noreturn]] void wrong(const std::string& at, const std::string& what) const {
+    throw input_error(input_fault::not_skeleton, 0, name_ + ": " + (at.empty() ? "" : at + " ") + what,
+                      "give a file that `osteon skeleton --output` has written");
+  }
+
+  const json& member(const json& of, const char* key, const std::string& at) const {
+    if (!of.is_object() || !of.contains(key)) wrong(at.empty() ? key : at + "." + key, "is missing");
+    return of[key];
+  }
+  std::string text(const json& of, const char* key, const std::string& at) const {
+    const json& value = member(of, key, at);
+    if (!value.is_string()) wrong(at.empty() ? key : at + "." + key, "is no text");
+    return value.get<std::string>();
+  }
+  int whole(const json& value, const std::string& at) const {
+    if (!value.is_number_integer() || (value.is_number_unsigned() && value.get<std::uint64_t>() > std::numeric_limits<int>::max()) ||
+        value.get<std::int64_t>() > std::numeric_limits<int>::max() || value.get<std::int64_t>() < std::numeric_limits<int>::min())
+      wrong(at, "is no whole number of 32 bits");
+    return value.get<int>();
+  }
+  int whole(const json& of, const char* key, const std::string& at) const { return whole(member(of, key, at), at + "." + key); }
+  std::vector<int> list(const json& of, const char* key, const std::string& at) const { return list(member(of, key, at), at + "." + key); }
+  std::vector<int> list(const json& value, const std::string& at) const {
+    if (!value.is_array()) wrong(at, "is no list");
+    std::vector<int> result;
+    for (std::size_t i = 0; i < value.size(); ++i) result.push_back(whole(value[i], at + "[" + std::to_string(i) + "]"));
+    return result;
+  }
+  template <std::size_t N>
+  std::array<int, N> tuple(const json& of, const char* key, const std::string& at) const {
+    const std::vector<int> numbers = list(of, key, at);
+    if (numbers.size() != N) wrong(at + "." + key, "needs " + std::to_string(N) + " numbers");
+    std::array<int, N> result{};
+    std::copy(numbers.begin(), numbers.end(), result.begin());
+    return result;
+  }
+  integer exact_number_in(const json& value, const std::string& at) const {
+    const std::string digits = value.is_string() ? value.get<std::string>() : "";
+    const std::size_t sign = digits.starts_with('-') ? 1 : 0;
+    if (digits.size() == sign || digits.find_first_not_of("0123456789", sign) != std::string::npos) wrong(at, "is no whole number in quotes");
+    const std::size_t zeros = std::min(digits.find_first_not_of('0', sign), digits.size() - 1);  // a leading zero would mean base eight
+    return integer(digits.substr(0, sign) + digits.substr(zeros));
+  }
+  std::vector<integer> exact_numbers(const json& value, const std::string& at) const {
+    if (!value.is_array()) wrong(at, "is no list");
+    std::vector<integer> result;
+    for (const json& x : value) result.push_back(exact_number_in(x, at));
+    return result;
+  }
+  template <class Visit>
+  void for_each(const json& of, const char* key, Visit visit, const std::string& at = "") const {
+    const json& all = member(of, key, at);
+    const std::string path = at.empty() ? key : at + "." + key;
+    if (!all.is_array()) wrong(path, "is no list");
+    for (std::size_t i = 0; i < all.size(); ++i) visit(all[i], path + "[" + std::to_string(i) + "]");
+  }
+
+ private:
+  std::string name_;
+};
+
+}  // namespace osteon::app

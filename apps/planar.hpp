@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// What the commands share for polygons: reading them, choosing a kernel, computing the skeleton.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <span>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "osteon/kernel/double.hpp"
+#include "osteon/kernel/filtered.hpp"
+#include "osteon/kernel/motion.hpp"
+#include "osteon/kernel/perturbed.hpp"
+#include "osteon/kernel/rational.hpp"
+#include "osteon/kernel/sqrt.hpp"
+#include "osteon/planar/check.hpp"
+#include "osteon/planar/contract.hpp"
+#include "osteon/planar/propagate.hpp"
+#include "osteon/planar/read.hpp"
+
+namespace osteon::app {
+
+inline constexpr const char* polygon_formats = "a polygon as .xy text (x y [weight] a line, rings after blank lines), WKT, GeoJSON or an OBJ file with one flat face";
+
+/// Whether a file is a polygon's: by its extension; an OBJ file where it has a single face.
+inline bool is_polygon_file(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension != ".obj") return extension == ".xy" || extension == ".txt" || extension == ".wkt" || extension == ".geojson" || extension == ".json";
+  std::ifstream in(file, std::ios::binary);
+  int faces = 0;
+  for (std::string line; faces < 2 && std::getline(in, line);)
+    if (const std::size_t at = line.find_first_not_of(" \t"); at != std::string::npos && line[at] == 'f' && at + 1 < line.size() && line[at + 1] <= ' ') ++faces;
+  return faces == 1;
+}
+
+/// A checked polygon; what was repaired is said on standard error.
+inline planar::polygon<integer> read_polygon_file(const std::string& file) {
+  auto rings = [&] {
+    if (file == "-") return planar::read_polygon<integer>(std::cin, "standard input");
+    std::ifstream in(file, std::ios::binary);
+    if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
+    return planar::read_polygon<integer>(in, file);
+  }();
+  auto polygon = planar::make_polygon(std::move(rings));
+  for (const auto& repair : polygon.repairs) fmt::print(stderr, "osteon: note: {}\n", repair);
+  return polygon;
+}
+
+/// A raw skeleton and, where the kernel is exact, the contracted one.
+struct planar_skeletons {
+  planar::skeleton raw;
+  std::optional<planar::contracted_skeleton> exact;
+};
+
+/// Calls body with the named kernel for a polygon's lines; the exact ones are filtered and perturbed.
+template <class Body>
+auto with_planar_kernel(const std::string& name, const planar::polygon<integer>& p, Body body) {
+  const std::span<const moving_line<integer>> lines(p.lines);
+  if (name == "double") return body(make_double_kernel(lines));
+  if (name == "rational") return body(perturbed(filtered(lines, make_rational_kernel(lines))));
+  return body(perturbed(filtered(lines, make_sqrt_kernel(lines))));
+}
+
+/// The skeleton of a polygon by the named kernel.
+inline planar_skeletons compute_planar(const std::string& kernel, const planar::polygon<integer>& p, const planar::options& o = {}) {
+  const planar::motion motion(p.lines, p.points, o.outside);
+  return with_planar_kernel(kernel, p, [&](const auto& k) {
+    planar_skeletons result{planar::propagation(k, p.outline, motion, o).run(), std::nullopt};
+    if constexpr (requires { k.base(); }) result.exact = planar::contract(k.base(), p.outline.line, result.raw);
+    return result;
+  });
+}
+
+}  // namespace osteon::app

@@ -1,0 +1,461 @@
+// SPDX-License-Identifier: MIT
+
+// Planar skeletons: against brute force, between kernels, under motions of the polygon, with weights, and as the middle of prisms.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "osteon/contract.hpp"
+#include "osteon/kernel/double.hpp"
+#include "osteon/kernel/rational.hpp"
+#include "planar_ours.hpp"
+#include "planar_polygons.hpp"
+#include "planar_prism.hpp"
+#include "planar_samples.hpp"
+#include "planar_simulate.hpp"
+#include "planar_slabs.hpp"
+
+namespace osteon::test {
+namespace {
+
+using oracles::planar_input;
+using oracles::planar_skeletons;
+using oracles::skeletons_of;
+
+std::string title(shape s, std::uint64_t seed) { return "random_region(shape::" + name_of(s) + ", " + std::to_string(seed) + ")"; }
+
+std::size_t size_of(const planar::models::region& r) {
+  std::size_t n = 0;
+  for (const auto& points : r) n += points.size();
+  return n;
+}
+
+// ---- against brute force
+
+/// The skeleton is a decomposition and has the nodes of the simulation. False: the simulation gave up.
+bool agrees_with_simulation(const planar_input& input) {
+  const auto ours = skeletons_of(input);
+  EXPECT_EQ(fault_of(ours), "");
+  std::vector<oracles::planar_node> theirs;
+  try {
+    theirs = oracles::nodes_by_simulation(input);
+  } catch (const oracles::planar_give_up&) {
+    return false;
+  }
+  const auto c = compare(input, nodes_of(ours), theirs, 1e-10 * oracles::size_of(input));
+  EXPECT_TRUE(c) << c.difference;
+  return true;
+}
+
+TEST(planar_skeleton, agrees_with_simulation) {
+  for (const shape s : simple_shapes)
+    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+      const auto region = random_region(s, seed);
+      if (size_of(region) > 130) continue;
+      SCOPED_TRACE(title(s, seed));
+      EXPECT_TRUE(agrees_with_simulation(oracles::doubles_of(region)));
+    }
+}
+
+TEST(planar_skeleton, agrees_with_simulation_where_coordinates_have_few_digits) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    EXPECT_TRUE(agrees_with_simulation({{oracles::grown_ring(14, 6, seed)}, {}}));
+    const auto grid = oracles::grid_outline(3 + static_cast<int>(seed % 5), 3 + static_cast<int>(seed / 5 % 5), 65, seed % 2 == 0, seed);
+    if (!grid.rings.empty()) EXPECT_TRUE(agrees_with_simulation(grid));
+  }
+}
+
+TEST(planar_skeleton, agrees_with_simulation_on_plain_polygons) {
+  for (const auto& s : oracles::plain_samples()) {
+    SCOPED_TRACE(s.name);
+    EXPECT_TRUE(agrees_with_simulation(s.input));
+  }
+}
+
+TEST(planar_skeleton, agrees_with_simulation_with_weights) {
+  int answers = 0;
+  for (const shape s : {shape::general, shape::holes})
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+      const auto region = random_region(s, seed);
+      if (size_of(region) > 100) continue;
+      for (const bool integers : {false, true}) {
+        SCOPED_TRACE(title(s, seed) + (integers ? ", weights 1 .. 5" : ", weights in 32nds"));
+        auto input = oracles::weighted(oracles::doubles_of(region), seed);
+        if (integers)
+          for (auto& ring : input.weights)
+            for (double& w : ring) w = 1 + std::floor(w);
+        answers += agrees_with_simulation(input) ? 1 : 0;
+      }
+    }
+  EXPECT_GT(answers, 100);
+}
+
+// ---- sizes
+
+TEST(planar_skeleton, has_the_sizes_of_general_position) {
+  for (const shape s : {shape::general, shape::holes})
+    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+      SCOPED_TRACE(title(s, seed));
+      const auto r = skeletons_of(oracles::doubles_of(random_region(s, seed)));
+      const int n = static_cast<int>(r.polygon.points.size());
+      const int h = r.polygon.holes;
+      EXPECT_EQ(static_cast<int>(r.raw.nodes.size()) - n, n - 2 + 2 * h);
+      EXPECT_EQ(static_cast<int>(r.raw.arcs.size()), 2 * n - 3 + 3 * h);
+      EXPECT_EQ(r.raw.events[0] + r.raw.events[1], n - 2 + 2 * h);
+      EXPECT_EQ(fault_of(r), "");
+    }
+}
+
+// ---- kernels
+
+using event_list = std::vector<triple>;
+
+event_list events_of(const planar::skeleton& s) {
+  event_list result;
+  for (const auto& n : s.nodes)
+    if (n.vertex < 0) result.push_back(n.lines);
+  return result;
+}
+
+/// Everything but the order of nodes.
+void expect_same(const planar::skeleton& a, const planar::skeleton& b) {
+  ASSERT_EQ(events_of(a), events_of(b));
+  EXPECT_EQ(a.faces, b.faces);
+  EXPECT_EQ(a.events, b.events);
+  ASSERT_EQ(a.arcs.size(), b.arcs.size());
+  for (std::size_t i = 0; i < a.arcs.size(); ++i) {
+    EXPECT_EQ(a.arcs[i].source, b.arcs[i].source);
+    EXPECT_EQ(a.arcs[i].target, b.arcs[i].target);
+    EXPECT_EQ(a.arcs[i].faces, b.arcs[i].faces);
+  }
+}
+
+/// Gives everything away: everything may be everywhere at any time.
+struct anywhere {
+  struct path {
+    planar::box start;
+  };
+  planar::box whole;
+  const planar::box& frame() const { return whole; }
+  double speed() const { return 1; }
+  planar::interval time(const triple&) const { return {0, std::numeric_limits<double>::infinity()}; }
+  planar::box place(const triple&) const { return whole; }
+  path begin(planar::line_id, planar::line_id, const triple*) const { return {whole}; }
+  planar::box swept(const path&, double, double) const { return whole; }
+};
+static_assert(planar::motion_bounds<anywhere>);
+
+TEST(planar_kernels, agree) {
+  for (const shape s : simple_shapes)
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      const auto region = random_region(s, seed);
+      if (size_of(region) > 130) continue;
+      for (const weighting w : {weighting::none, weighting::decimal}) {
+        const auto sample_ = sample(s, w, seed);
+        SCOPED_TRACE(sample_.name);
+        const auto p = planar::make_polygon(sample_.rings);
+        const auto lines = oracles::lines_in(p);
+        const auto filtered_one = oracles::raw_skeleton(oracles::planar_default_kernel(p), p);
+        const auto k = perturbed(make_sqrt_kernel(lines));
+        expect_same(filtered_one, oracles::raw_skeleton(k, p));
+        if (size_of(region) <= 40) {
+          const anywhere motion{planar::motion(lines, p.points).frame()};
+          expect_same(filtered_one, planar::propagation(k, p.outline, motion).run());
+        }
+        const auto rational_one = oracles::raw_skeleton(perturbed(filtered(lines, make_rational_kernel(lines))), p);
+        if (s == shape::general || s == shape::holes) expect_same(filtered_one, rational_one);
+      }
+    }
+}
+
+TEST(planar_kernels, doubles_agree_or_say_so) {
+  int answers = 0;
+  for (const shape s : simple_shapes)
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      const auto sample_ = sample(s, weighting::none, seed);
+      SCOPED_TRACE(sample_.name);
+      const auto p = planar::make_polygon(sample_.rings);
+      try {
+        const auto rough = oracles::raw_skeleton(make_double_kernel(oracles::lines_in(p)), p);
+        if (s != shape::general && s != shape::holes) continue;  // where events coincide, any order is as good
+        EXPECT_EQ(events_of(rough), events_of(oracles::raw_skeleton(oracles::planar_default_kernel(p), p)));
+        ++answers;
+      } catch (const undecided_error&) {
+      }
+    }
+  EXPECT_GT(answers, 60);
+}
+
+// ---- the same polygon, elsewhere
+
+/// A moved polygon, and which points and edges of the polygon its own were, by their numbers in the input.
+struct correspondence {
+  std::vector<int> points;
+  std::vector<int> edges;
+};
+struct variant {
+  std::string name;
+  oracles::planar_rings rings;
+  correspondence from;
+};
+
+correspondence identity(const planar::models::region& r) {
+  correspondence result;
+  for (int i = 0; i < static_cast<int>(size_of(r)); ++i) {
+    result.points.push_back(i);
+    result.edges.push_back(i);
+  }
+  return result;
+}
+
+/// (a x + b y) * 10^ten + shift * 10^shift_ten and so on; where the determinant is negative the rings are turned round.
+struct similarity {
+  std::string name;
+  std::array<std::array<long, 2>, 2> by;
+  int ten = 0;
+  std::array<long, 2> shift = {0, 0};
+  int shift_ten = 0;
+};
+
+/// The polygon scaled, moved, mirrored and turned, with other starting points of rings and another order of holes.
+std::vector<variant> variants(const planar::models::region& region, std::uint64_t seed) {
+  const std::vector<similarity> all = {
+      {"scaled by 1e-15", {{{1, 0}, {0, 1}}}, -15},
+      {"scaled by 1e12", {{{1, 0}, {0, 1}}}, 12},
+      {"scaled by 7e-3", {{{7, 0}, {0, 7}}}, -3},
+      {"moved by 1e9", {{{1, 0}, {0, 1}}}, 0, {1'000'000'007, -999'999'937}},
+      {"at 13.4 degrees east, 52.5 north, with 15 decimals", {{{1, 0}, {0, 1}}}, -12, {13'400'000'000'000'123, 52'500'000'000'000'321}, -15},
+      {"mirrored in an axis", {{{-1, 0}, {0, 1}}}},
+      {"mirrored in a diagonal", {{{0, 1}, {1, 0}}}},
+      {"turned by 90 degrees", {{{0, -1}, {1, 0}}}},
+      {"turned by 180 degrees", {{{-1, 0}, {0, -1}}}},
+      {"turned by an angle of tangent 3/4, times 5", {{{4, -3}, {3, 4}}}},
+  };
+  std::vector<int> first;  // point of each ring
+  for (const auto& points : region) first.push_back(first.empty() ? 0 : first.back() + static_cast<int>(region[first.size() - 1].size()));
+  std::vector<variant> result;
+  planar::models::dice roll(seed);
+  for (std::size_t kind = 0; kind <= all.size(); ++kind) {
+    const bool other_order = kind == all.size();
+    const similarity& m = all[other_order ? 0 : kind];
+    variant v{other_order ? "other starting points and order of holes" : m.name, {}, {}};
+    const bool mirrored = m.by[0][0] * m.by[1][1] < m.by[0][1] * m.by[1][0];
+    std::vector<std::size_t> order(region.size());
+    for (std::size_t r = 0; r < order.size(); ++r) order[r] = r;
+    if (other_order) std::reverse(order.begin() + 1, order.end());
+    for (const std::size_t r : order) {
+      const auto& points = region[r];
+      const auto n = static_cast<int>(points.size());
+      const int begin = other_order ? static_cast<int>(roll.between(0, n - 1)) : 0;
+      auto& ring = v.rings.all.emplace_back();
+      for (int k = 0; k < n; ++k) {
+        const int at = mirrored ? n - 1 - k : (begin + k) % n;
+        const int edge = mirrored ? (at + n - 1) % n : at;
+        v.from.points.push_back(first[r] + at);
+        v.from.edges.push_back(first[r] + edge);
+        auto& fresh = ring.points.emplace_back();
+        const auto& p = points[static_cast<std::size_t>(at)];
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+          integer x = integer(m.by[axis][0]) * p[0] + integer(m.by[axis][1]) * p[1];
+          const int ten = m.shift[axis] == 0 ? m.ten : std::min(m.ten, m.shift_ten);
+          for (int i = m.ten; i > ten; --i) x *= 10;
+          fresh[axis] = {x + m.shift[axis], ten, 0};
+        }
+      }
+    }
+    result.push_back(std::move(v));
+  }
+  return result;
+}
+
+oracles::planar_rings with_weights(const variant& v, const std::vector<int>& weights) {
+  auto rings = v.rings;
+  std::size_t at = 0;
+  for (auto& ring : rings.all)
+    for (std::size_t i = 0; i < ring.points.size(); ++i)
+      ring.weights.push_back({integer(weights[static_cast<std::size_t>(v.from.edges[at++])]), 0, 0});
+  return rings;
+}
+
+/// A contracted skeleton but for the numbers of its nodes: each is what meets there.
+struct summary {
+  std::vector<std::vector<int>> nodes;
+  std::vector<std::array<std::vector<int>, 3>> arcs;
+  friend bool operator==(const summary&, const summary&) = default;
+};
+
+summary summary_of(const planar_skeletons& s, const correspondence& from, const std::vector<int>& lines) {
+  const auto at = [](const std::vector<int>& list, int i) { return list[static_cast<std::size_t>(i)]; };
+  const auto line_of = [&](int face) { return at(lines, at(from.edges, at(s.polygon.input_points, face))); };
+  const auto sorted = [](std::vector<int> list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
+  };
+  summary result;
+  std::vector<std::vector<int>> nodes;
+  const auto faces = oracles::faces_by_node(s.exact);
+  for (std::size_t i = 0; i < s.exact.nodes.size(); ++i) {
+    const int vertex = s.exact.nodes[i].vertex;
+    auto& fresh = nodes.emplace_back();
+    for (const int f : faces[i]) fresh.push_back(line_of(f));
+    fresh = sorted(fresh);
+    if (vertex >= 0) fresh = {-1 - at(from.points, at(s.polygon.input_points, vertex))};
+  }
+  for (const auto& a : s.exact.arcs) {
+    std::array<std::vector<int>, 2> ends = {nodes[static_cast<std::size_t>(a.source)], nodes[static_cast<std::size_t>(a.target)]};
+    std::sort(ends.begin(), ends.end());
+    result.arcs.push_back({ends[0], ends[1], sorted({line_of(a.faces[0]), line_of(a.faces[1])})});
+  }
+  result.nodes = std::move(nodes);
+  std::sort(result.nodes.begin(), result.nodes.end());
+  std::sort(result.arcs.begin(), result.arcs.end());
+  return result;
+}
+
+TEST(planar_invariance, of_everything_that_moves_no_line_relative_to_the_others) {
+  for (const shape s : simple_shapes)
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      const auto region = random_region(s, seed);
+      if (size_of(region) > 130) continue;
+      const auto lines = oracles::lines_of(oracles::doubles_of(region));
+      const auto expected = summary_of(skeletons_of(planar::models::take<integer>(region)), identity(region), lines);
+      for (const auto& v : variants(region, seed)) {
+        SCOPED_TRACE(title(s, seed) + " " + v.name);
+        const auto moved = skeletons_of(v.rings);
+        EXPECT_EQ(fault_of(moved), "");
+        EXPECT_EQ(summary_of(moved, v.from, lines), expected);
+      }
+    }
+}
+
+TEST(planar_invariance, with_weights_in_general_position) {
+  for (const shape s : {shape::general, shape::holes})
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      const auto region = random_region(s, seed);
+      if (size_of(region) > 130) continue;
+      auto input = oracles::weighted(oracles::doubles_of(region), seed);
+      const auto lines = oracles::lines_of(input);
+      std::vector<int> weights;  // in 32nds
+      for (const auto& ring : input.weights)
+        for (const double w : ring) weights.push_back(static_cast<int>(32 * w));
+      std::optional<summary> expected;
+      for (const auto& v : variants(region, seed)) {
+        SCOPED_TRACE(title(s, seed) + " " + v.name);
+        const auto moved = skeletons_of(with_weights(v, weights));
+        EXPECT_EQ(fault_of(moved), "");
+        const auto found = summary_of(moved, v.from, lines);
+        if (!expected) expected = found;
+        EXPECT_EQ(found, *expected);
+      }
+    }
+}
+
+// ---- weights
+
+TEST(planar_weights, neighbours_in_line_have_some_valid_skeleton) {
+  for (const shape s : {shape::rectilinear, shape::coarse, shape::general})
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      auto region = random_region(s, seed);
+      if (size_of(region) > 60) continue;
+      // A vertex in the middle of every third edge, and weights that differ there.
+      for (auto& ring : region) {
+        planar::models::ring fine;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const auto& p = ring[i];
+          const auto& q = ring[(i + 1) % ring.size()];
+          fine.push_back({2 * p[0], 2 * p[1]});
+          if (i % 3 == 0) fine.push_back({p[0] + q[0], p[1] + q[1]});
+        }
+        ring = fine;
+      }
+      const auto input = oracles::weighted(oracles::doubles_of(region), seed);
+      SCOPED_TRACE(title(s, seed));
+      const auto once = skeletons_of(input);
+      EXPECT_EQ(fault_of(once), "");
+      expect_same(once.raw, skeletons_of(input).raw);
+    }
+}
+
+struct held_case {
+  std::string name;
+  planar_input input;
+  std::vector<oracles::planar_node> nodes;
+};
+
+TEST(planar_weights, held_edges) {
+  const std::vector<held_case> cases = {
+      // The short sides of a rectangle stand: a ridge from one to the other.
+      {"rectangle", {{{{0, 0}, {8, 0}, {8, 2}, {0, 2}}}, {{1, 0, 1, 0}}}, {{0, 1, 1, {0, 2, 3}}, {8, 1, 1, {0, 1, 2}}}},
+      // The roof leans against the long side.
+      {"lean-to", {{{{0, 0}, {8, 0}, {8, 2}, {0, 2}}}, {{1, 0, 0, 0}}}, {{0, 2, 2, {0, 2, 3}}, {8, 2, 2, {0, 1, 2}}}},
+      {"one side", {{{{0, 0}, {8, 0}, {8, 2}, {0, 2}}}, {{1, 1, 1, 0}}}, {{7, 1, 1, {0, 1, 2}}, {0, 1, 1, {0, 2, 3}}}},
+      // Where the two moving sides of a triangle meet on the third.
+      {"triangle", {{{{0, 0}, {4, 0}, {0, 4}}}, {{1, 0, 1}}}, {{2, 2, 2, {0, 1, 2}}}},
+  };
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.name);
+    const auto s = skeletons_of(c.input);
+    EXPECT_EQ(fault_of(s), "");
+    const auto difference = compare(c.input, nodes_of(s), c.nodes, 1e-12);
+    EXPECT_TRUE(difference) << difference.difference;
+  }
+}
+
+TEST(planar_weights, what_never_vanishes_is_refused) {
+  // All edges stand.
+  EXPECT_THROW(skeletons_of({{{{0, 0}, {8, 0}, {8, 2}, {0, 2}}}, {{0, 0, 0, 0}}}), unsupported_error);
+  // A triangle of which two sides stand vanishes all the same; and so does any convex polygon of which one side moves.
+  EXPECT_EQ(fault_of(skeletons_of({{{{0, 0}, {4, 0}, {0, 4}}}, {{1, 0, 0}}})), "");
+  EXPECT_EQ(fault_of(skeletons_of({{{{0, 0}, {4, 0}, {5, 3}, {0, 4}}}, {{0, 0, 1, 0}}})), "");
+}
+
+TEST(planar_weights, held_edges_of_random_polygons) {
+  int refused = 0;
+  int all = 0;
+  for (const shape s : simple_shapes)
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+      const auto sample_ = sample(s, weighting::some_zero, seed);
+      if (size_of(sample_.points) > 130) continue;
+      SCOPED_TRACE(sample_.name);
+      ++all;
+      try {
+        EXPECT_EQ(fault_of(skeletons_of(sample_.rings)), "");
+      } catch (const unsupported_error&) {
+        ++refused;
+      }
+    }
+  EXPECT_LT(2 * refused, all);
+}
+
+// ---- prisms
+
+TEST(planar_prisms, have_the_skeleton_of_their_floor_in_the_middle) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("grown_ring, seed " + std::to_string(seed));
+    EXPECT_EQ(oracles::prism_difference({{oracles::grown_ring(5 + static_cast<int>(seed % 9), 1000, seed)}, {}}), "");
+  }
+}
+
+TEST(planar_prisms, of_degenerate_polygons) {
+  for (const auto& s : oracles::plain_samples()) {
+    if (s.input.rings.size() > 1) continue;
+    SCOPED_TRACE(s.name);
+    EXPECT_EQ(oracles::prism_difference(s.input), "");
+  }
+}
+
+}  // namespace
+}  // namespace osteon::test
