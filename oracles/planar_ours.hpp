@@ -203,11 +203,6 @@ inline std::string fault_of(const planar_skeletons& s) {
     return i;
   };
   std::map<int, std::vector<std::array<int, 2>>> borders;  // of faces: arcs and edges by their ends
-  for (int e = 0; e < vertices; ++e) {
-    const int to = o.next[static_cast<std::size_t>(e)];
-    borders[s.raw.faces[static_cast<std::size_t>(e)]].push_back({e, to});
-    root[static_cast<std::size_t>(find(e))] = find(to);
-  }
   std::set<int> with_arcs;
   for (const auto& a : s.exact.arcs) {
     if (a.source < 0 || a.target < 0) return "an arc does not end";
@@ -219,12 +214,35 @@ inline std::string fault_of(const planar_skeletons& s) {
     for (const int f : a.faces) borders[f].push_back({from, to}), with_arcs.insert(f);
     root[static_cast<std::size_t>(find(from))] = find(to);
   }
+  // An edge that its neighbour in the same direction overtakes at time zero has no face; that of the neighbour lies along it.
+  std::vector<int> owner(static_cast<std::size_t>(vertices), -1);  // face along an edge
+  for (int e = 0; e < vertices; ++e) {
+    root[static_cast<std::size_t>(find(e))] = find(o.next[static_cast<std::size_t>(e)]);
+    const int face = s.raw.faces[static_cast<std::size_t>(e)];
+    if (with_arcs.contains(face)) owner[static_cast<std::size_t>(e)] = face;
+  }
+  for (bool more = true; more;) {
+    more = false;
+    for (int e = 0; e < vertices; ++e) {
+      const auto to = static_cast<std::size_t>(o.next[static_cast<std::size_t>(e)]);
+      if (degree[to] > 0) continue;
+      int& a = owner[static_cast<std::size_t>(e)];
+      int& b = owner[to];
+      if (a >= 0 && b >= 0 && a != b) return "no arc separates the faces of edges " + std::to_string(e) + " and " + std::to_string(to);
+      if ((a < 0) == (b < 0)) continue;
+      (a < 0 ? a : b) = std::max(a, b);
+      more = true;
+    }
+  }
+  for (int e = 0; e < vertices; ++e) {
+    if (owner[static_cast<std::size_t>(e)] < 0) return "edge " + std::to_string(e) + " has no face";
+    borders[owner[static_cast<std::size_t>(e)]].push_back({e, o.next[static_cast<std::size_t>(e)]});
+  }
   for (int i = vertices; i < vertices + inner; ++i)
     if (degree[static_cast<std::size_t>(i)] < 3) return "a node of degree " + std::to_string(degree[static_cast<std::size_t>(i)]);
   if (static_cast<int>(with_arcs.size()) != s.exact.faces) return "faces are miscounted";
   int discs = 0;  // edges on one line that touch in one place share a face of several
   for (const auto& [face, border] : borders) {
-    const bool flat = !with_arcs.contains(face);  // overtaken by a neighbour on the same line at time zero
     std::map<int, int> ends;
     std::map<int, int> up;
     const auto top = [&up](int i) {
@@ -234,13 +252,13 @@ inline std::string fault_of(const planar_skeletons& s) {
     for (const auto& ab : border)
       for (const int at : ab) ++ends[at], up.try_emplace(at, at);
     for (const auto& [at, times] : ends)
-      if (times % 2 != 0 && !flat) return "the border of face " + std::to_string(face) + " has an end";
-    discs += flat ? 0 : static_cast<int>(border.size()) - static_cast<int>(ends.size());
+      if (times % 2 != 0) return "the border of face " + std::to_string(face) + " has an end";
+    discs += static_cast<int>(border.size()) - static_cast<int>(ends.size());
     for (const auto& [from, to] : border) {
       const int a = top(from);
       up[a] = top(to);
     }
-    for (const auto& [at, above] : up) discs += !flat && at == above ? 1 : 0;
+    for (const auto& [at, above] : up) discs += at == above ? 1 : 0;
   }
   int pieces = 0;
   for (std::size_t i = 0; i < root.size(); ++i) pieces += find(static_cast<int>(i)) == static_cast<int>(i) ? 1 : 0;

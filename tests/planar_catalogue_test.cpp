@@ -22,7 +22,7 @@ struct entry {
 
 std::vector<entry> all_entries() {
   std::vector<entry> result;
-  for (cell small = 0; small < 8; ++small)
+  for (cell small = 1; small < 8; ++small)
     for (unsigned f = 0; f < 256; ++f) {
       const auto before = static_cast<state>(f);
       if (inside(before, small ^ 7U) || !monotone(before, small ^ 7U)) continue;
@@ -100,8 +100,10 @@ TEST(planar_catalogue, what_is_seen_tells_the_state) {
 
 TEST(planar_catalogue, no_cell_but_the_small_one_changes) {
   for (const auto& e : all_entries())
-    for (cell c = 0; c < 8; ++c)
-      if (c != e.small && c != (e.small ^ 7U)) EXPECT_EQ(inside(e.after.at(0), c), inside(e.before, c));
+    for (cell c = 0; c < 8; ++c) {
+      if (c == e.small || c == (e.small ^ 7U)) continue;
+      EXPECT_EQ(inside(e.after.at(0), c), inside(e.before, c));
+    }
 }
 
 // Nothing appears: each edge after the event was there before, on the same line.

@@ -26,11 +26,13 @@ namespace {
 
 using models::region;
 
-skeleton skeleton_of(const polygon<integer>& p) {
+skeleton skeleton_of(const polygon<integer>& p, bool outside = false) {
   const std::span<const moving_line<integer>> lines(p.lines);
   const auto k = perturbed(filtered(lines, make_sqrt_kernel(lines)));
   const motion m(lines, p.points);
-  return propagation(k, p.outline, m).run();
+  planar::options how;
+  how.outside = outside;
+  return propagation(k, p.outline, m, how).run();
 }
 
 struct case_of {
@@ -154,8 +156,7 @@ TEST(planar_offset, l_and_cross) {
   const case_of l(region{{{0, 0}, {10, 0}, {10, 4}, {4, 4}, {4, 10}, {0, 10}}});
   EXPECT_EQ(points_of(l.o.exactly_at(1)), exact({{1, 1}, {9, 1}, {9, 3}, {3, 3}, {3, 9}, {1, 9}}));
   EXPECT_TRUE(l.o.at(2).rings.empty());
-  const case_of cross(
-      region{{{4, 0}, {8, 0}, {8, 4}, {12, 4}, {12, 8}, {8, 8}, {8, 12}, {4, 12}, {4, 8}, {0, 8}, {0, 4}, {4, 4}}});
+  const case_of cross(region{{{4, 0}, {8, 0}, {8, 4}, {12, 4}, {12, 8}, {8, 8}, {8, 12}, {4, 12}, {4, 8}, {0, 8}, {0, 4}, {4, 4}}});
   for (const auto& [t, a] : {std::pair(0, 80), std::pair(1, 36), std::pair(2, 0)}) EXPECT_EQ(area(cross.o.exactly_at(t)), a);
   EXPECT_EQ(cross.o.exactly_at(1).rings.at(0).points.size(), 12U);
 }
@@ -190,7 +191,10 @@ TEST(planar_offset, weights_and_held_edges) {
 // An edge sweeps over a hole that is held: it is cut in two, and one again behind it.
 TEST(planar_offset, swept_hole) {
   const case_of c(weighted({{{0, 0}, {20, 0}, {20, 20}, {0, 20}}, {{8, 7}, {7, 11}, {10, 14}, {12, 9}}}, {{1, 0, 0, 0}, {0, 0, 0, 0}}));
-  EXPECT_EQ(c.o.at(3).rings.size(), 2U);
+  const auto early = c.o.at(3);
+  ASSERT_EQ(early.rings.size(), 2U);
+  EXPECT_EQ(early.parts, 1);  // though no arc joins the hole to the outer ring
+  EXPECT_TRUE(early.rings[1].hole);
   const auto middle = c.o.at(10);
   ASSERT_EQ(middle.rings.size(), 1U);
   EXPECT_EQ(middle.rings[0].points.size(), 4U + 4U);
@@ -198,6 +202,108 @@ TEST(planar_offset, swept_hole) {
   EXPECT_EQ(points_of(late), exact({{0, 16}, {20, 16}, {20, 20}, {0, 20}}));
   EXPECT_EQ(c.o.exactly_at(14).rings.size(), 1U);
   EXPECT_EQ(area(c.o.exactly_at(14)), 120);
+}
+
+// ---- outside
+
+struct outside_of {
+  polygon<integer> p;
+  skeleton s;
+  offsets o;
+  explicit outside_of(const region& r) : p(complement(make_polygon(models::take<integer>(r)))), s(skeleton_of(p, true)), o(p, s) {}
+  outside_of(const outside_of&) = delete;
+  outside_of& operator=(const outside_of&) = delete;
+};
+
+TEST(planar_offset, outside_of_a_square) {
+  const outside_of c(region{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}});
+  const auto p = c.o.exactly_at(5);
+  ASSERT_EQ(p.rings.size(), 1U);
+  EXPECT_TRUE(p.rings[0].hole);
+  const auto grown = complement(p);
+  EXPECT_EQ(points_of(grown), exact({{-5, -5}, {15, -5}, {15, 15}, {-5, 15}}));
+  EXPECT_FALSE(grown.rings[0].hole);
+  EXPECT_EQ(area(grown), 400);
+}
+
+TEST(planar_offset, outside_closes_a_court) {
+  // A C whose mouth of width 2 closes at time 1: the court becomes a hole, which vanishes at time 4.
+  const outside_of c(region{{{0, 0}, {20, 0}, {20, 9}, {14, 9}, {14, 6}, {6, 6}, {6, 14}, {14, 14}, {14, 11}, {20, 11}, {20, 20}, {0, 20}}});
+  EXPECT_EQ(complement(c.o.exactly_at(rational(1, 2))).rings.size(), 1U);
+  const auto p = complement(c.o.exactly_at(2));
+  ASSERT_EQ(p.rings.size(), 2U);
+  EXPECT_EQ(p.parts, 1);
+  EXPECT_TRUE(p.rings[1].hole);
+  EXPECT_EQ(area(p), 24 * 24 - 16);
+  EXPECT_EQ(area(complement(c.o.exactly_at(4))), 28 * 28);
+  EXPECT_EQ(area(complement(c.o.exactly_at(1000))), 2020 * 2020);
+}
+
+// ---- exactness
+
+// A right triangle vanishes at 1000 - sqrt(500000), which no rational is.
+TEST(planar_offset, irrational_moment) {
+  const case_of c(region{{{0, 0}, {1000, 0}, {0, 1000}}});
+  const integer root = isqrt(integer(500000) << 1200);
+  const rational unit(1, integer(1) << 600);
+  EXPECT_EQ(c.o.exactly_at(1000 - (root + 1) * unit).rings.size(), 1U);
+  EXPECT_TRUE(c.o.exactly_at(1000 - root * unit).rings.empty());
+  EXPECT_TRUE(c.o.at(1000 - root * unit).rings.empty());
+}
+
+// Doubles against rationals, for numbers of any size and lines that hardly cross.
+TEST(planar_offset, places_in_doubles) {
+  for (const auto& [ten, far] : {std::pair(0, 0L), std::pair(-3, 1000000000000L), std::pair(280, 7L), std::pair(-290, -5L)})
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      models::dice roll(seed);
+      rings<integer> r;
+      auto& ring = r.all.emplace_back();
+      // Flat arcs below and above: neighbours turn by 1e-9 or so.
+      const long n = roll.between(2, 12);
+      for (long i = 0; i <= n; ++i)
+        ring.points.push_back({exact_number<integer>{i * 1000000 + far, ten, 0}, exact_number<integer>{i * (i - n) * 5 + far, ten, 0}});
+      for (long i = n; i >= 0; --i)
+        ring.points.push_back(
+            {exact_number<integer>{i * 1000000 + roll.between(1, 9) + far, ten, 0}, exact_number<integer>{500000 - i * (i - n) * 3 + far, ten, 0}});
+      SCOPED_TRACE("ten " + std::to_string(ten) + ", far " + std::to_string(far) + ", seed " + std::to_string(seed));
+      const case_of c(r);
+      const locator exact(c.p.lines);
+      const units u(c.p);
+      const double size = rational(n * 1000000 * power_of(ten, 0)).convert_to<double>();
+      for (const auto& node : c.s.nodes) {
+        if (node.vertex >= 0) continue;
+        const auto fast = c.o.places().meeting(node.lines);
+        const auto slow = exact.meeting(node.lines);
+        ASSERT_TRUE(slow);
+        const auto p = u.to_input(slow->point);
+        const double ulp = 4e-16 * std::max(size, std::abs(rational(far * power_of(ten, 0)).convert_to<double>()));
+        EXPECT_NEAR(fast.x, p[0].convert_to<double>(), ulp);
+        EXPECT_NEAR(fast.y, p[1].convert_to<double>(), ulp);
+        const double t = u.to_input(slow->time).convert_to<double>();
+        EXPECT_NEAR(fast.time, t, 4e-16 * t);
+      }
+    }
+}
+
+TEST(planar_offset, of_an_offset) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const auto sample = test::sample(test::shape::holes, test::weighting::none, seed);
+    SCOPED_TRACE(sample.name);
+    const case_of c(sample.rings);
+    const rational last(times_of(c).back());
+    const auto once = c.o.at(last / 5);
+    rings<integer> again;
+    for (const auto& r : once.rings) {
+      auto& to = again.all.emplace_back();
+      to.part = r.part;
+      for (const auto& p : r.points) to.points.push_back({*from_double<integer>(p[0]), *from_double<integer>(p[1])});
+    }
+    const case_of d(again);
+    for (const int i : {1, 2, 3}) {
+      const double direct = area(c.o.at(last / 5 + last * i / 5));
+      EXPECT_NEAR(area(d.o.at(last * i / 5)), direct, 1e-6 * area(once));
+    }
+  }
 }
 
 // ---- laws

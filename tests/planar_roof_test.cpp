@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -224,7 +226,7 @@ TEST(planar_roof, chimney) {
     const auto m = c.roof({.slope = 1, .eaves = 1, .walls = true, .triangulate = triangulate});
     EXPECT_EQ(fault_of(m), "");
     EXPECT_EQ(euler(m), 0);
-    EXPECT_NEAR(volume(m), volume_under(c) + 400 - 23.5, 1e-9);
+    EXPECT_NEAR(volume(m), volume_under(c) + 400 - 19.5, 1e-9);
   }
 }
 
@@ -234,6 +236,39 @@ TEST(planar_roof, slopes) {
   EXPECT_NEAR(weight_of_slope(30), std::sqrt(3.0), 1e-15);
   EXPECT_THROW(weight_of_slope(0), input_error);
   EXPECT_THROW(weight_of_slope(std::nan("")), input_error);
+  // A ridge between slopes of 30 and 60 degrees over a width of 8: it is 2 * sqrt(3) high.
+  auto r = models::take<integer>(region{{{0, 0}, {10, 0}, {10, 8}, {0, 8}}});
+  for (const double degrees : {30, 90, 60, 90}) r.all[0].weights.push_back(*from_double<integer>(weight_of_slope(degrees)));
+  const auto m = case_of(r).roof();
+  EXPECT_EQ(fault_of(m), "");
+  EXPECT_NEAR(volume(m), 8 * 2 * std::sqrt(3.0) / 2 * 10, 1e-12);
+}
+
+// Triangles of a polygon whose every side counts: a spiral, a comb, many holes; in a moment.
+TEST(planar_roof, triangles_of_large_floors) {
+  for (const auto& [name, r] : {std::pair("spiral", models::spiral(20000, 1)), std::pair("comb", models::comb(20000, 1)),
+                                std::pair("holes", models::jittered_holes(40, 1)), std::pair("grid", models::grid_of_holes(40))}) {
+    SCOPED_TRACE(name);
+    std::vector<flat_point> points;
+    std::vector<std::vector<int>> rings;
+    double area = 0;
+    for (const auto& ring : r) {
+      rings.emplace_back();
+      for (const auto& p : ring) {
+        rings.back().push_back(static_cast<int>(points.size()));
+        points.push_back({static_cast<double>(p[0]), static_cast<double>(p[1])});
+      }
+      area += static_cast<double>(test::doubled_area(ring));
+    }
+    const auto triangles = ear_clipping(points).run(rings[0], {rings.begin() + 1, rings.end()});
+    EXPECT_EQ(triangles.size(), points.size() - 2 + 2 * (rings.size() - 1));
+    double sum = 0;
+    for (const auto& [a, b, c] : triangles) {
+      EXPECT_EQ(turn_of(points[a], points[b], points[c]), sign::positive);
+      sum += (points[b][0] - points[a][0]) * (points[c][1] - points[a][1]) - (points[b][1] - points[a][1]) * (points[c][0] - points[a][0]);
+    }
+    EXPECT_NEAR(sum, area, 1e-9 * area);
+  }
 }
 
 // ---- all kinds of polygons
@@ -274,6 +309,9 @@ TEST_P(planar_roofs, closed_and_full) {
       floor += std::abs((b[0] - a[0]) * (d[1] - a[1]) - (b[1] - a[1]) * (d[0] - a[0])) / 2;
     }
     EXPECT_NEAR(floor, area, 1e-10 * size * size);
+    const auto mirrored = c->roof({.slope = 1, .eaves = size, .walls = seed % 2 == 0, .most_effort = 0});
+    ASSERT_EQ(fault_of(mirrored), "");
+    EXPECT_NEAR(volume(mirrored), volume(m) + (seed % 2 == 0 ? size * area : 0), 1e-10 * size * size * (height + size));
   }
 }
 

@@ -48,116 +48,166 @@ struct box {
 };
 
 /// Boxes of numbered things in a bucket tree: cells are halved along the axis that cuts fewer boxes (a bintree, Samet 1990). Expected logarithmic
-/// time for an insertion; a search visits the leaves that the box meets.
+/// time for an insertion; a search visits the leaves that the box meets. Boxes are rounded outwards to a grid of 2^32 by 2^32, so that a leaf's fit
+/// into a few cache lines.
 class box_tree {
  public:
-  void clear(const box& frame) {
-    frame_ = frame;
+  /// Empties the tree. `frame`: where boxes will be, about; others are moved to its border. `expected`: how many boxes to come.
+  void clear(const box& frame, std::size_t expected) {
+    for (int axis = 0; axis < 2; ++axis) {
+      low_[axis] = frame.low[axis];
+      const double size = frame.high[axis] - frame.low[axis];
+      scale_[axis] = size > 0 ? 0x1p32 / size : 0;
+    }
     nodes_.assign(1, {});
-    entries_.clear();
+    blocks_.clear();
+    nodes_.reserve(expected / 4);
+    blocks_.reserve(expected / 6);
   }
 
-  void insert(int id, const box& b) { insert(0, frame_, 0, id, b); }
+  void insert(int id, const box& b) { insert(0, whole, rounded(b, id)); }
 
   /// Calls body(id) for each box that meets b; for one box perhaps several times.
   template <class Body>
   void search(const box& b, Body body) const {
-    search(0, frame_, b, body);
+    search(0, whole, rounded(b, -1), body);
   }
 
  private:
-  static constexpr int bucket = 12;
-  static constexpr int deepest = 60;
-
-  struct node {
-    int child = -1;  ///< the first of two, or -1
-    int first = -1;  ///< entry
-    int count = 0;
-    short limit = bucket;  ///< with more boxes it is cut
-    short axis = 0;
-  };
   struct entry {
-    box bounds;
+    std::array<std::uint32_t, 2> low;
+    std::array<std::uint32_t, 2> high;
     int id;
+
+    bool meets(const entry& e) const { return low[0] <= e.high[0] && e.low[0] <= high[0] && low[1] <= e.high[1] && e.low[1] <= high[1]; }
+  };
+  static constexpr int bucket = 12;
+  struct block {
+    std::array<entry, bucket> entries;
+    int count;
     int next;
   };
+  struct node {
+    int child = -1;      ///< the first of two, or -1
+    int first = -1;      ///< block
+    int count = 0;       ///< of boxes
+    int limit = bucket;  ///< with more it is cut
+    int axis = 0;
+  };
+  // Numbers from low to low + 2^bits on each axis.
+  struct cell {
+    std::array<std::uint32_t, 2> low;
+    std::array<int, 2> bits;
 
-  static double middle(const box& cell, int axis) { return (cell.low[axis] + cell.high[axis]) / 2; }
-  static box half(box cell, int axis, int which) {
-    (which == 0 ? cell.high : cell.low)[axis] = middle(cell, axis);
-    return cell;
+    std::uint32_t middle(int axis) const { return low[axis] + (std::uint32_t{1} << (bits[axis] - 1)); }
+    cell half(int axis, int which) const {
+      cell c = *this;
+      if (which == 1) c.low[axis] = middle(axis);
+      --c.bits[axis];
+      return c;
+    }
+  };
+  static constexpr cell whole = {{0, 0}, {32, 32}};
+
+  entry rounded(const box& b, int id) const {
+    constexpr double most = 4294967295.0;
+    entry e{{}, {}, id};
+    for (int axis = 0; axis < 2; ++axis) {
+      // The scale's own rounding is the same for all boxes; that of the products is monotone.
+      e.low[axis] = static_cast<std::uint32_t>(std::clamp((b.low[axis] - low_[axis]) * scale_[axis], 0.0, most));
+      e.high[axis] = static_cast<std::uint32_t>(std::clamp((b.high[axis] - low_[axis]) * scale_[axis], 0.0, most));
+    }
+    return e;
   }
 
-  void insert(int at, box cell, int depth, int id, const box& b) {
+  void insert(int at, cell c, const entry& e) {
     while (nodes_[at].child >= 0) {
       const int axis = nodes_[at].axis;
-      const double cut = middle(cell, axis);
       const int child = nodes_[at].child;
-      ++depth;
-      if (b.low[axis] <= cut && b.high[axis] >= cut) insert(child, half(cell, axis, 0), depth, id, b);
-      const int which = b.high[axis] < cut ? 0 : 1;
-      cell = half(cell, axis, which);
+      const std::uint32_t cut = c.middle(axis);
+      if (e.low[axis] < cut && e.high[axis] >= cut) insert(child, c.half(axis, 0), e);
+      const int which = e.high[axis] < cut ? 0 : 1;
+      c = c.half(axis, which);
       at = child + which;
     }
-    entries_.push_back({b, id, nodes_[at].first});
-    nodes_[at].first = static_cast<int>(entries_.size()) - 1;
-    if (++nodes_[at].count > nodes_[at].limit && depth < deepest) split(at, cell, depth);
+    add(at, e);
+    if (nodes_[at].count > nodes_[at].limit) split(at, c);
+  }
+
+  void add(int at, const entry& e) {
+    int first = nodes_[at].first;
+    if (first < 0 || blocks_[first].count == bucket) {
+      blocks_.emplace_back();
+      blocks_.back().count = 0;
+      blocks_.back().next = first;
+      first = nodes_[at].first = static_cast<int>(blocks_.size()) - 1;
+    }
+    blocks_[first].entries[blocks_[first].count++] = e;
+    ++nodes_[at].count;
+  }
+
+  // Calls body for each box of a leaf.
+  template <class Body>
+  void visit(int at, Body body) const {
+    for (int b = nodes_[at].first; b >= 0; b = blocks_[b].next)
+      for (int i = 0; i < blocks_[b].count; ++i) body(blocks_[b].entries[i]);
   }
 
   // Halves a leaf, unless its boxes are so great that many would be in both halves.
-  void split(int at, const box& cell, int depth) {
+  void split(int at, const cell& c) {
     std::array<int, 2> cuts = {0, 0};
-    for (int e = nodes_[at].first; e >= 0; e = entries_[e].next)
-      for (int axis = 0; axis < 2; ++axis)
-        if (const double cut = middle(cell, axis); entries_[e].bounds.low[axis] <= cut && entries_[e].bounds.high[axis] >= cut) ++cuts[axis];
-    const bool wide = cell.high[0] - cell.low[0] >= cell.high[1] - cell.low[1];
-    const int axis = cuts[0] != cuts[1] ? (cuts[0] < cuts[1] ? 0 : 1) : (wide ? 0 : 1);
+    for (int axis = 0; axis < 2; ++axis) {
+      if (c.bits[axis] == 0) {
+        cuts[axis] = nodes_[at].count;
+        continue;
+      }
+      const std::uint32_t cut = c.middle(axis);
+      visit(at, [&](const entry& e) { cuts[axis] += e.low[axis] < cut && e.high[axis] >= cut ? 1 : 0; });
+    }
+    const int axis = cuts[0] != cuts[1] ? (cuts[0] < cuts[1] ? 0 : 1) : (c.bits[0] >= c.bits[1] ? 0 : 1);
     if (3 * cuts[axis] > nodes_[at].count) {
-      nodes_[at].limit = static_cast<short>(std::min(2 * nodes_[at].count, 30000));  // ask again then
+      nodes_[at].limit = 2 * nodes_[at].count;  // ask again then
       return;
     }
+    std::vector<entry> all;
+    all.reserve(nodes_[at].count);
+    visit(at, [&](const entry& e) { all.push_back(e); });
     const int child = static_cast<int>(nodes_.size());
-    int e = nodes_[at].first;
-    nodes_[at] = {child, -1, 0, 0, static_cast<short>(axis)};
+    const int freed = nodes_[at].first;
+    nodes_[at] = {child, -1, 0, 0, axis};
     nodes_.resize(nodes_.size() + 2);
-    const double cut = middle(cell, axis);
-    while (e >= 0) {
-      const int next = entries_[e].next;
-      const box bounds = entries_[e].bounds;
-      const bool both = bounds.low[axis] <= cut && bounds.high[axis] >= cut;
-      node& leaf = nodes_[child + (bounds.high[axis] < cut ? 0 : 1)];
-      entries_[e].next = leaf.first;
-      leaf.first = e;
-      ++leaf.count;
-      if (both) {
-        entries_.push_back({bounds, entries_[e].id, nodes_[child].first});
-        nodes_[child].first = static_cast<int>(entries_.size()) - 1;
-        ++nodes_[child].count;
-      }
-      e = next;
+    blocks_[freed].count = 0;  // the first half goes on in the newest block
+    blocks_[freed].next = -1;
+    nodes_[child].first = freed;
+    const std::uint32_t cut = c.middle(axis);
+    for (const entry& e : all) {
+      if (e.low[axis] < cut) add(child, e);
+      if (e.high[axis] >= cut) add(child + 1, e);
     }
     for (int which = 0; which < 2; ++which)
-      if (nodes_[child + which].count > bucket && depth + 1 < deepest) split(child + which, half(cell, axis, which), depth + 1);
+      if (nodes_[child + which].count > bucket) split(child + which, c.half(axis, which));
   }
 
   template <class Body>
-  void search(int at, box cell, const box& b, Body& body) const {
+  void search(int at, cell c, const entry& b, Body& body) const {
     while (nodes_[at].child >= 0) {
       const int axis = nodes_[at].axis;
-      const double cut = middle(cell, axis);
       const int child = nodes_[at].child;
-      if (b.low[axis] <= cut && b.high[axis] >= cut) search(child, half(cell, axis, 0), b, body);
+      const std::uint32_t cut = c.middle(axis);
+      if (b.low[axis] < cut && b.high[axis] >= cut) search(child, c.half(axis, 0), b, body);
       const int which = b.high[axis] < cut ? 0 : 1;
-      cell = half(cell, axis, which);
+      c = c.half(axis, which);
       at = child + which;
     }
-    for (int e = nodes_[at].first; e >= 0; e = entries_[e].next)
-      if (entries_[e].bounds.meets(b)) body(entries_[e].id);
+    visit(at, [&](const entry& e) {
+      if (e.meets(b)) body(e.id);
+    });
   }
 
-  box frame_;
+  std::array<double, 2> low_{};
+  std::array<double, 2> scale_{};
   std::vector<node> nodes_;
-  std::vector<entry> entries_;
+  std::vector<block> blocks_;
 };
 
 }  // namespace osteon::planar

@@ -10,7 +10,6 @@
 #include <concepts>
 #include <limits>
 #include <optional>
-#include <queue>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +17,7 @@
 #include "osteon/error.hpp"
 #include "osteon/planar/broad_phase.hpp"
 #include "osteon/planar/catalogue.hpp"
+#include "osteon/planar/event_queue.hpp"
 #include "osteon/planar/kernel.hpp"
 #include "osteon/planar/polygon.hpp"
 #include "osteon/planar/skeleton.hpp"
@@ -50,7 +50,7 @@ template <planar_kernel K, motion_bounds Motion>
 class propagation {
  public:
   propagation(const K& k, const outline& polygon, const Motion& motion, const options& o = {})
-      : k_(k), polygon_(polygon), motion_(motion), options_(o), order_(k, front_, polygon.lines), now_(k.start()), moment_(now_), queue_(later{&k}) {}
+      : k_(k), polygon_(polygon), motion_(motion), options_(o), order_(k, front_, polygon.lines), now_(k.start()), moment_(now_), queue_(k) {}
 
   /// Runs to the end. Throws unsupported_error (a part of the wavefront stands still for ever), undecided_error or invariant_error.
   /// Cost: n log n in practice for n vertices; memory linear.
@@ -59,7 +59,7 @@ class propagation {
     initialise();
     while (alive_ > 0) {
       if (window_.last < infinity) {
-        if (queue_.empty() || !(motion_.time(k_.planes(queue_.top())).last <= window_.last)) {
+        if (queue_.empty() || !(queue_.top_time().last <= window_.last)) {
           if (window_.last >= options_.until) break;
           if (8 * changes_ < static_cast<int>(living_.size())) step_ *= 2;
           open_window(window_.last);
@@ -77,8 +77,7 @@ class propagation {
         if (queue_.empty()) continue;
       }
       if (!fresh_.empty() && !same_moment(queue_.top()) && settle()) continue;
-      const meeting m = queue_.top();
-      queue_.pop();
+      const meeting m = queue_.pop();
       if (k_.compare(m, now_) != sign::positive) continue;
       if (const auto found = read(m)) {
         now_ = m;
@@ -106,12 +105,12 @@ class propagation {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr interval never = {infinity, infinity};
 
-  struct later {
-    const K* k;
-    bool operator()(const meeting& m, const meeting& n) const {
-      const sign s = k->compare(m, n);
-      return s != sign::zero ? s == sign::positive : triple(k->planes(m)) > triple(k->planes(n));
-    }
+  // What is known of the way of a vertex.
+  struct track {
+    typename Motion::path path;
+    box swept{};                                                    ///< what it sweeps in this window
+    double known_until = -std::numeric_limits<double>::infinity();  ///< so far that reaches
+    line_id contact = -1;                                           ///< a line it meets that is in the queue
   };
 
   // What the wavefront looks like around a meeting point: the edge on every piece of the three lines, by label.
@@ -140,7 +139,7 @@ class propagation {
       result_.nodes.push_back({i, lines, event_class::edge});
       result_.faces.push_back(i);
       front_.edges.push_back({polygon_.line[i], i, polygon_.next[i], i, true});
-      front_.vertices.push_back({previous[i], i, -1, true});
+      front_.vertices.push_back({previous[i], i, polygon_.line[previous[i]], polygon_.line[i], -1, true});
     }
     alive_ = n;
     straighten();
@@ -150,12 +149,10 @@ class propagation {
       if (front_.edges[e].alive) order_.add_unsorted(e);
     order_.sort(polygon_.rank);
     for (int v = 0; v < n; ++v) {
-      paths_.push_back(motion_.begin(front_.line_before(v), front_.line_after(v), nullptr));
+      tracks_.push_back({motion_.begin(front_.line_before(v), front_.line_after(v), nullptr)});
       if (front_.vertices[v].alive && is_reflex(k_, front_, v)) reflex_.push_back(v);
     }
     for (int e = 0; e < n; ++e) living_.push_back(e);
-    known_until_.assign(paths_.size(), -infinity);
-    known_contact_.assign(paths_.size(), -1);
     collapse_.assign(n, never);
     for (int e = 0; e < n; ++e)
       if (front_.edges[e].alive) watch_collapse(e);
@@ -165,12 +162,12 @@ class propagation {
 
   // How far apart things are in the beginning, about.
   double spacing() const {
-    const auto n = static_cast<double>(paths_.size());
+    const auto n = static_cast<double>(tracks_.size());
     const box& frame = motion_.frame();
     double length = 0;
-    for (std::size_t v = 0; v < paths_.size(); ++v) {
-      const box& a = paths_[v].start;
-      const box& b = paths_[polygon_.next[v]].start;
+    for (std::size_t v = 0; v < tracks_.size(); ++v) {
+      const box& a = tracks_[v].path.start;
+      const box& b = tracks_[polygon_.next[v]].path.start;
       length += std::hypot(a.low[0] - b.low[0], a.low[1] - b.low[1]);
     }
     return std::min(length / n, std::sqrt((frame.high[0] - frame.low[0]) * (frame.high[1] - frame.low[1]) / n));
@@ -197,11 +194,13 @@ class propagation {
         front_.edges[out].alive = false;
         front_.edges[in].head = front_.edges[out].head;
         front_.vertices[front_.edges[out].head].in = in;
+        front_.vertices[front_.edges[out].head].before = a;
         waiting.push_back(front_.edges[out].head);
       } else {
         front_.edges[in].alive = false;
         front_.edges[out].tail = front_.edges[in].tail;
         front_.vertices[front_.edges[in].tail].out = out;
+        front_.vertices[front_.edges[in].tail].after = b;
         waiting.push_back(front_.edges[in].tail);
       }
       if (a == b) merge_faces(front_.edges[in].face, front_.edges[out].face);
@@ -265,17 +264,19 @@ class propagation {
     window_ = {from, contacts ? std::min(from + step_, options_.until) : options_.until};
     if (!(window_.last > window_.first)) window_.last = infinity;
     for (const int e : living_)
-      if (collapse_[e].first > queued_until_ && collapse_[e].first <= window_.last && !queue_collapse(lines_at(e))) collapse_[e] = never;
+      if (collapse_[e].first > queued_until_ && collapse_[e].first <= window_.last && !queue_collapse(lines_at(e), collapse_[e]))
+        collapse_[e] = never;
     queued_until_ = std::max(queued_until_, window_.last);
     if (!contacts) return;
     box frame;
     for (const int e : living_) {
       const int v = front_.edges[e].tail;
-      known_until_[v] = life(v);
-      frame.add(swept(v));
+      tracks_[v].known_until = life(v);
+      tracks_[v].swept = swept(v);
+      frame.add(tracks_[v].swept);
     }
-    edge_boxes_.clear(frame);
-    vertex_boxes_.clear(frame);
+    edge_boxes_.clear(frame, 3 * living_.size());
+    vertex_boxes_.clear(frame, 3 * reflex_.size());
     for (const int e : living_) insert_edge(e);
     for (const int v : reflex_) {
       insert_vertex(v);
@@ -288,12 +289,12 @@ class propagation {
 
   // Between its start and where it may end. Vertices of nearly parallel lines are fast, but do not come far.
   box swept(int v) const {
-    box b = motion_.swept(paths_[v], window_.first, known_until_[v]);
+    box b = motion_.swept(tracks_[v].path, window_.first, tracks_[v].known_until);
     const int in = front_.vertices[v].in;
     const int out = front_.vertices[v].out;
     const int e = collapse_[in].last < collapse_[out].last ? in : out;
     if (collapse_[e].last < infinity) {
-      box whole = paths_[v].start;
+      box whole = tracks_[v].path.start;
       whole.add(motion_.place(lines_at(e)));
       b.cut(whole);
     }
@@ -308,8 +309,8 @@ class propagation {
   // Pieces of an edge's box: long edges that are not parallel to an axis have boxes that are mostly empty.
   template <class Body>
   void boxes_of_edge(int e, Body body) const {
-    const box a = swept(front_.edges[e].tail);
-    const box b = swept(front_.edges[e].head);
+    const box& a = tracks_[front_.edges[e].tail].swept;
+    const box& b = tracks_[front_.edges[e].head].swept;
     const double width = std::min(std::abs(a.low[0] - b.low[0]), std::abs(a.low[1] - b.low[1]));
     const double own = std::max({a.high[0] - a.low[0], a.high[1] - a.low[1], b.high[0] - b.low[0], b.high[1] - b.low[1], motion_.speed() * step_});
     const int pieces = std::clamp(static_cast<int>(width / own), 1, 16);
@@ -331,10 +332,10 @@ class propagation {
   void insert_edge(int e) {
     boxes_of_edge(e, [&](const box& b) { edge_boxes_.insert(e, b); });
   }
-  void insert_vertex(int v) { vertex_boxes_.insert(v, swept(v)); }
+  void insert_vertex(int v) { vertex_boxes_.insert(v, tracks_[v].swept); }
 
   void look_from_vertex(int v) {
-    edge_boxes_.search(swept(v), [&](int e) {
+    edge_boxes_.search(tracks_[v].swept, [&](int e) {
       if (front_.edges[e].alive) consider_contact(v, e);
     });
   }
@@ -351,18 +352,18 @@ class propagation {
     const line_id a = front_.line_before(v);
     const line_id b = front_.line_after(v);
     const line_id c = front_.edges[e].line;
-    if (a == c || b == c || known_contact_[v] == c) return;
+    if (a == c || b == c || tracks_[v].contact == c) return;
     const triple q = sorted({a, b, c});
     const interval when = motion_.time(q);
-    const double until = std::min({known_until_[v], known_until_[front_.edges[e].tail], known_until_[front_.edges[e].head]});
+    const double until = std::min({tracks_[v].known_until, tracks_[front_.edges[e].tail].known_until, tracks_[front_.edges[e].head].known_until});
     if (when.first > until || when.last < window_.first) return;
     const auto m = k_.meet(q);
     if (!m || k_.compare(*m, now_) != sign::positive) return;
     if (k_.closing(*m) != lambda(q, static_cast<unsigned>(std::find(q.begin(), q.end(), c) - q.begin()))) return;
     const line_id x = k_.transversal(c, a) ? a : b;
     if (!contains(e, x, a, b, *m)) return;
-    queue_.push(*m);
-    known_contact_[v] = c;
+    queue_.push(*m, when);
+    tracks_[v].contact = c;
   }
 
   // Whether the point where the edge's line meets lines a and b lies on the edge; x is the one of these to be asked.
@@ -381,14 +382,14 @@ class propagation {
     const interval when = motion_.time(q);
     if (when.last < now_first_) return;
     collapse_[e] = when;
-    if (when.first <= queued_until_ && !queue_collapse(q)) collapse_[e] = never;
+    if (when.first <= queued_until_ && !queue_collapse(q, when)) collapse_[e] = never;
   }
 
   // Whether three lines still meet. Collapses beyond all windows so far wait: most edges have changed by then.
-  bool queue_collapse(const triple& q) {
+  bool queue_collapse(const triple& q, const interval& when) {
     const auto m = k_.meet(q);
     if (!m || k_.compare(*m, now_) != sign::positive) return false;
-    queue_.push(*m);
+    queue_.push(*m, when);
     return true;
   }
 
@@ -608,13 +609,11 @@ class propagation {
 
   int add_vertex(const corner& c, const triple& birth, int node) {
     const int v = static_cast<int>(front_.vertices.size());
-    front_.vertices.push_back({c.in, c.out, -1, true});
+    front_.vertices.push_back({c.in, c.out, front_.edges[c.in].line, front_.edges[c.out].line, -1, true});
     front_.edges[c.in].head = v;
     front_.edges[c.out].tail = v;
     begin_arc(v, node);
-    paths_.push_back(motion_.begin(front_.edges[c.in].line, front_.edges[c.out].line, &birth));
-    known_until_.push_back(-infinity);
-    known_contact_.push_back(-1);
+    tracks_.push_back({motion_.begin(front_.edges[c.in].line, front_.edges[c.out].line, &birth)});
     if (is_reflex(k_, front_, v)) reflex_.push_back(v);
     return v;
   }
@@ -627,8 +626,10 @@ class propagation {
     for (int i = 0; i < count; ++i)
       for (const int v : {front_.edges[edges[i]].tail, front_.edges[edges[i]].head}) {
         const double until = life(v);
-        if (until > known_until_[v]) vertices[more++] = v;
-        known_until_[v] = until;
+        if (until <= tracks_[v].known_until) continue;
+        tracks_[v].known_until = until;
+        tracks_[v].swept = swept(v);
+        vertices[more++] = v;
       }
     std::array<int, 45> changed{};
     int all = count;
@@ -658,7 +659,7 @@ class propagation {
   edge_order<K> order_;
   meeting now_;
   meeting moment_;  // the last one that has a moment in the limit
-  std::priority_queue<meeting, std::vector<meeting>, later> queue_;
+  event_queue<K> queue_;
   skeleton result_;
   int alive_ = 0;
   std::vector<int> living_;  // edges, some of them dead
@@ -669,11 +670,9 @@ class propagation {
   double queued_until_ = -infinity;  // so far all collapses are in the queue
   double step_ = 0;
   int changes_ = 0;
-  std::vector<int> fresh_;                    // edges that have changed at this moment
-  std::vector<typename Motion::path> paths_;  // by vertex
-  std::vector<double> known_until_;           // by vertex: so far its boxes in the trees reach
-  std::vector<line_id> known_contact_;        // by vertex: a line it meets that is in the queue
-  std::vector<interval> collapse_;            // by edge: when it vanishes, as it is
+  std::vector<int> fresh_;          // edges that have changed at this moment
+  std::vector<track> tracks_;       // by vertex
+  std::vector<interval> collapse_;  // by edge: when it vanishes, as it is
   box_tree edge_boxes_;
   box_tree vertex_boxes_;
 };

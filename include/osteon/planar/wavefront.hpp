@@ -26,14 +26,16 @@ struct wavefront {
   struct vertex {
     int in;   ///< edge that ends here
     int out;  ///< edge that starts here
+    line_id before;  ///< line of the edge that ends here
+    line_id after;   ///< line of the edge that starts here
     int arc;
     bool alive;
   };
   std::vector<edge> edges;
   std::vector<vertex> vertices;
 
-  line_id line_before(int v) const { return edges[vertices[v].in].line; }
-  line_id line_after(int v) const { return edges[vertices[v].out].line; }
+  line_id line_before(int v) const { return vertices[v].before; }
+  line_id line_after(int v) const { return vertices[v].after; }
 };
 
 /// Whether points of line `of` lie inside line x beyond the point where they cross, seen in the direction of edges on `of`.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "osteon/kernel/integer.hpp"
@@ -35,14 +36,13 @@ inline sign turn_of(const flat_point& a, const flat_point& b, const flat_point& 
 inline bool is_inside(const std::vector<flat_point>& ring, const flat_point& p) {
   bool inside = false;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
-    if ((ring[i][1] > p[1]) != (ring[j][1] > p[1]) &&
-        turn_of(ring[j], ring[i], p) == (ring[i][1] > ring[j][1] ? sign::positive : sign::negative))
+    if ((ring[i][1] > p[1]) != (ring[j][1] > p[1]) && turn_of(ring[j], ring[i], p) == (ring[i][1] > ring[j][1] ? sign::positive : sign::negative))
       inside = !inside;
   return inside;
 }
 
-/// Cuts polygons with holes into triangles by ears (Meisters 1975), holes joined by bridges first (Eberly 2008). Quadratic, and number of holes times
-/// number of corners.
+/// Cuts polygons with holes into triangles by ears (Meisters 1975), holes joined by bridges first (Eberly 2008). Corners that may be in the way are
+/// looked for in a grid: in practice a little more than linear; and number of holes times number of corners.
 class ear_clipping {
  public:
   /// `points` by number; rings are lists of numbers.
@@ -89,8 +89,7 @@ class ear_clipping {
         const flat_point& q = at(ring[i]);
         if (q == far ? !opens(ring, i, p) : !(q[0] > p[0] && in_triangle(above ? std::array{p, hit, far} : std::array{p, far, hit}, q))) continue;
         const flat_point& s = at(ring[see]);
-        const bool better = q == s ? opens(ring, i, p) && !opens(ring, see, p)
-                                   : slope(q) < slope(s) || (slope(q) == slope(s) && q[0] < s[0]);
+        const bool better = q == s ? opens(ring, i, p) && !opens(ring, see, p) : slope(q) < slope(s) || (slope(q) == slope(s) && q[0] < s[0]);
         if (better && opens(ring, i, p)) see = i;
       }
     }
@@ -117,66 +116,116 @@ class ear_clipping {
     return turn_of(t[0], t[1], p) != sign::negative && turn_of(t[1], t[2], p) != sign::negative && turn_of(t[2], t[0], p) != sign::negative;
   }
 
-  // Cuts off corners whose triangle contains no other one; if rounding leaves none, any.
+  // Cuts off corners whose triangle contains no reflex one, first come, first served; if rounding leaves none, any.
   void clip(const std::vector<int>& ring) {
     const int n = static_cast<int>(ring.size());
     next_.resize(ring.size());
     before_.resize(ring.size());
     for (int i = 0; i < n; ++i) next_[i] = (i + 1) % n, before_[i] = (i + n - 1) % n;
+    gone_.assign(ring.size(), false);
     const auto turn = [&](int i) { return turn_of(at(ring[before_[i]]), at(ring[i]), at(ring[next_[i]])); };
     std::vector<int> reflex;
-    std::vector<bool> gone(ring.size(), false);
-    for (int i = 0; i < n; ++i)
-      if (turn(i) != sign::positive) reflex.push_back(i);
-    int left = n;
-    int failed = 0;
-    for (int i = 0; left > 3;) {
-      const sign s = turn(i);
-      const bool give_up = failed > left && (s != sign::negative || failed > 2 * left);
-      const auto is_ear = [&] {
-        if (s != sign::positive) return false;
-        const std::array<flat_point, 3> t = {at(ring[before_[i]]), at(ring[i]), at(ring[next_[i]])};
-        std::erase_if(reflex, [&](int r) { return gone[r]; });
-        for (const int r : reflex) {
-          const flat_point& p = at(ring[r]);
-          if (r == i || r == before_[i] || r == next_[i]) continue;
-          bool corner = false;
-          for (std::size_t k = 0; k < 3; ++k) {
-            if (p != t[k]) continue;
-            corner = true;  // a bridge's other end, say: in the way if its sides lead into the triangle
-            for (const int side : {before_[r], next_[r]})
-              if (turn_of(t[k], t[(k + 1) % 3], at(ring[side])) == sign::positive && turn_of(t[(k + 2) % 3], t[k], at(ring[side])) == sign::positive)
-                return false;
-          }
-          if (!corner && in_triangle(t, p)) return false;
-        }
-        return true;
-      };
-      if (give_up || is_ear()) {
-        triangles_.push_back({ring[before_[i]], ring[i], ring[next_[i]]});
-        next_[before_[i]] = next_[i];
-        before_[next_[i]] = before_[i];
-        gone[i] = true;
-        --left;
-        failed = 0;
-        for (const int j : {before_[i], next_[i]})
-          if (turn(j) != sign::positive && std::find(reflex.begin(), reflex.end(), j) == reflex.end()) reflex.push_back(j);
-        i = next_[next_[i]];
-      } else {
-        ++failed;
-        i = next_[i];
+    std::vector<int> waiting;
+    for (int i = 0; i < n; ++i) (turn(i) == sign::positive ? waiting : reflex).push_back(i);
+    const grid near(points_, ring, reflex);
+    bool stuck = false;  // nothing has been cut since all were looked at
+    int start = 0;
+    std::size_t head = 0;
+    for (int left = n; left >= 3;) {
+      int i = start;
+      if (head < waiting.size()) {
+        i = waiting[head++];
+        if (gone_[i] || (left > 3 && (turn(i) != sign::positive || !is_ear(ring, near, i)))) continue;
+      } else if (!stuck) {
+        stuck = true;
+        head = 0;
+        waiting.clear();
+        int j = start;
+        for (int k = 0; k < left; ++k, j = next_[j]) waiting.push_back(j);
+        continue;
       }
-      if (left == 3) {
-        triangles_.push_back({ring[before_[i]], ring[i], ring[next_[i]]});
-        break;
-      }
+      triangles_.push_back({ring[before_[i]], ring[i], ring[next_[i]]});
+      next_[before_[i]] = next_[i];
+      before_[next_[i]] = before_[i];
+      gone_[i] = true;
+      start = next_[i];
+      stuck = false;
+      if (--left == 2) break;
+      waiting.push_back(before_[i]);
+      waiting.push_back(next_[i]);
     }
-    if (n == 3) triangles_.push_back({ring[0], ring[1], ring[2]});
   }
+
+  bool is_ear(const std::vector<int>& ring, const auto& near, int i) const {
+    const std::array<flat_point, 3> t = {at(ring[before_[i]]), at(ring[i]), at(ring[next_[i]])};
+    return near.none_of(t, [&](int r) {
+      if (gone_[r] || r == i || r == before_[i] || r == next_[i]) return false;
+      const flat_point& p = at(ring[r]);
+      bool corner = false;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (p != t[k]) continue;
+        corner = true;  // a bridge's other end, say: in the way if its sides lead into the triangle
+        for (const int side : {before_[r], next_[r]})
+          if (turn_of(t[k], t[(k + 1) % 3], at(ring[side])) == sign::positive && turn_of(t[(k + 2) % 3], t[k], at(ring[side])) == sign::positive)
+            return true;
+      }
+      return !corner && in_triangle(t, p);
+    });
+  }
+
+  // Some corners of a ring in square cells.
+  class grid {
+   public:
+    grid(const std::vector<flat_point>& points, const std::vector<int>& ring, const std::vector<int>& some)
+        : side_(1 + static_cast<int>(std::sqrt(static_cast<double>(some.size()) / 2))) {
+      low_ = points[ring[0]];
+      flat_point high = low_;
+      for (const int v : ring)
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+          low_[axis] = std::min(low_[axis], points[v][axis]);
+          high[axis] = std::max(high[axis], points[v][axis]);
+        }
+      for (std::size_t axis = 0; axis < 2; ++axis) scale_[axis] = high[axis] > low_[axis] ? side_ / (high[axis] - low_[axis]) : 0;
+      first_.assign(static_cast<std::size_t>(side_) * side_ + 1, 0);
+      const auto cell = [&](int i) { return cell_of(points[ring[i]][0], 0) * side_ + cell_of(points[ring[i]][1], 1); };
+      for (const int i : some) ++first_[cell(i) + 1];
+      std::partial_sum(first_.begin(), first_.end(), first_.begin());
+      std::vector<int> fill(first_.begin(), first_.end() - 1);
+      all_.resize(some.size());
+      for (const int i : some) all_[fill[cell(i)]++] = i;
+    }
+
+    /// Whether the predicate holds for none of the corners in the box of a triangle.
+    template <class Predicate>
+    bool none_of(const std::array<flat_point, 3>& t, Predicate predicate) const {
+      const auto range = [&](std::size_t axis) {
+        return std::array{cell_of(std::min({t[0][axis], t[1][axis], t[2][axis]}), axis),
+                          cell_of(std::max({t[0][axis], t[1][axis], t[2][axis]}), axis)};
+      };
+      const auto x = range(0);
+      const auto y = range(1);
+      for (int i = x[0]; i <= x[1]; ++i)
+        if (std::any_of(all_.begin() + first_[i * side_ + y[0]], all_.begin() + first_[i * side_ + y[1] + 1], predicate)) return false;
+      return true;
+    }
+
+   private:
+    int cell_of(double x, std::size_t axis) const {
+      const double c = (x - low_[axis]) * scale_[axis];
+      return c > 0 ? static_cast<int>(std::min(c, side_ - 1.0)) : 0;
+    }
+
+    int side_;
+    flat_point low_;
+    flat_point scale_;
+    std::vector<int> first_;
+    std::vector<int> all_;
+  };
 
   const std::vector<flat_point>& points_;
   std::vector<int> next_;
   std::vector<int> before_;
+  std::vector<bool> gone_;
   std::vector<std::array<int, 3>> triangles_;
 };
 

@@ -53,7 +53,8 @@ class perturbed {
     m.closing = k_.closing(m.base);
     if (m.closing == sign::zero) {
       m.regular = false;
-      m.closing = leading([&](int g) { return k_.closing_at(g, planes(m)); }, 2).value;
+      for (int g = 2; g <= 2 * dimension && m.closing == sign::zero; g += 2) m.closing = at(g, k_.closing_at(g, planes(m)));
+      if (m.closing == sign::zero) return std::nullopt;  // none of them moves
     }
     return m;
   }

@@ -4,11 +4,15 @@
 /// \file
 /// Offset polygons in numbers: many from one skeleton.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "osteon/error.hpp"
+#include "osteon/kernel/flat.hpp"
 #include "osteon/kernel/integer.hpp"
 #include "osteon/kernel/planar_locate.hpp"
 #include "osteon/planar/offset.hpp"
@@ -30,8 +34,77 @@ struct offset_polygon {
   int parts = 0;
 };
 
-/// Offsets of a polygon inwards. Time is the distance that an edge of weight 1 has moved, in the units of the input. Keeps references to its
-/// arguments. Setup: linear.
+namespace detail {
+
+/// Holes in parts without an outer ring go to the smallest outer ring that contains them; outer rings may be nested, but do not cross.
+template <class Number>
+void place_holes(offset_polygon<Number>& p) {
+  std::vector<bool> has_outer(p.parts, false);
+  for (const auto& r : p.rings)
+    if (!r.hole) has_outer[r.part] = true;
+  if (std::find(has_outer.begin(), has_outer.end(), false) == has_outer.end()) return;
+  struct outer {
+    std::vector<flat_point> points;
+    flat_point low, high;
+    int part;
+  };
+  const auto flat = [](const std::array<Number, 2>& q) { return flat_point{static_cast<double>(q[0]), static_cast<double>(q[1])}; };
+  std::vector<outer> all;
+  for (const auto& r : p.rings) {
+    if (r.hole) continue;
+    auto& o = all.emplace_back();
+    o.part = r.part;
+    o.low = o.high = flat(r.points[0]);
+    for (const auto& q : r.points) {
+      o.points.push_back(flat(q));
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        o.low[axis] = std::min(o.low[axis], o.points.back()[axis]);
+        o.high[axis] = std::max(o.high[axis], o.points.back()[axis]);
+      }
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const outer& a, const outer& b) { return a.high[0] - a.low[0] < b.high[0] - b.low[0]; });
+  std::vector<int> into(p.parts);
+  std::iota(into.begin(), into.end(), 0);
+  for (const auto& r : p.rings) {
+    if (has_outer[r.part] || into[r.part] != r.part) continue;
+    const flat_point q = flat(r.points[0]);
+    const auto around = std::find_if(all.begin(), all.end(), [&](const outer& o) {
+      return o.low[0] <= q[0] && q[0] <= o.high[0] && o.low[1] <= q[1] && q[1] <= o.high[1] && is_inside(o.points, q);
+    });
+    if (around != all.end()) into[r.part] = around->part;
+  }
+  std::vector<int> number(p.parts, -1);
+  p.parts = 0;
+  for (auto& r : p.rings) {
+    int& n = number[into[r.part]];
+    if (n < 0) n = p.parts++;
+    r.part = n;
+  }
+  std::stable_sort(p.rings.begin(), p.rings.end(),
+                   [](const auto& r, const auto& s) { return std::pair(r.part, r.hole) < std::pair(s.part, s.hole); });
+}
+
+}  // namespace detail
+
+/// The rings turned round: what an offset outwards (of complement(polygon), see polygon.hpp) has left out is the grown polygon. There edge i lies on
+/// the line of the edge that ends, not starts, at vertex i of the polygon.
+template <class Number>
+offset_polygon<Number> complement(offset_polygon<Number> p) {
+  p.parts = 0;
+  for (auto& r : p.rings) {
+    std::reverse(r.points.begin(), r.points.end());
+    std::reverse(r.edges.begin(), r.edges.end());
+    std::rotate(r.edges.begin(), r.edges.begin() + 1, r.edges.end());
+    r.hole = !r.hole;
+    r.part = p.parts++;
+  }
+  detail::place_holes(p);
+  return p;
+}
+
+/// Offsets of a polygon inwards; of the complement of one, outwards. Time is the distance that an edge of weight 1 has moved, in the units of the
+/// input. Keeps references to its arguments. Setup: linear.
 class offsets {
  public:
   offsets(const polygon<integer>& p, const skeleton& raw) : polygon_(p), raw_(raw), lines_(p.lines, p.points), places_(p, lines_) {}
@@ -77,6 +150,7 @@ class offsets {
         to.edges.push_back(w.corners[i].face);
       }
     }
+    detail::place_holes(result);
     return result;
   }
 

@@ -4,6 +4,7 @@
 /// \file
 /// Roofs: the faces of a skeleton raised to the height at which the wavefront passes, closed below by the polygon.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -29,6 +30,9 @@ struct roof_options {
   double eaves = 0;          ///< height of the polygon
   bool walls = false;        ///< down from the eaves to height 0; requires eaves greater than zero
   bool triangulate = false;  ///< every face, not only those with holes
+  /// A floor with more corners times holes than this is not cut from the polygon, but consists of the roof's faces, projected (those of weight zero
+  /// have no area there).
+  std::size_t most_effort = 1'000'000'000;
 };
 
 /// A closed surface: every edge belongs to two faces, which pass it in opposite directions. Faces are counter-clockwise seen from outside.
@@ -86,7 +90,15 @@ class roof_builder {
       for (const auto& s : loops_.sides) add_wall(s);
     std::map<int, std::vector<std::vector<int>>> pieces;
     for (std::size_t r = 0; i < loops_.loops.size(); ++i, ++r) pieces[loops_.rings[r]].push_back(loops_.loops[i].nodes);
-    for (auto& [piece, rings] : pieces) add_floor(std::move(rings));
+    bool easy = true;
+    for (const auto& [piece, rings] : pieces) {
+      std::size_t corners = 0;
+      for (const auto& r : rings) corners += r.size();
+      easy = easy && corners * (rings.size() - 1) <= options_.most_effort;
+    }
+    if (!easy) mirror_faces();
+    for (auto& [piece, rings] : pieces)
+      if (easy) add_floor(std::move(rings));
     return std::move(result_);
   }
 
@@ -122,6 +134,21 @@ class roof_builder {
     for (const auto& r : rings)
       for (const int v : r) flat_[v] = {-places_[v].x, places_[v].y};  // seen from below
     cut(rings, [&](const std::array<int, 3>& t) { add({ground_[t[0]], ground_[t[1]], ground_[t[2]]}, roof_mesh::kind::floor, -1); });
+  }
+
+  // A floor of the roof's faces, seen from below.
+  void mirror_faces() {
+    for (std::size_t v = 0; v < places_.size(); ++v)
+      if (ground_[v] < 0) {
+        ground_[v] = static_cast<int>(result_.points.size());
+        result_.points.push_back({places_[v].x, places_[v].y, options_.walls ? 0 : options_.eaves});
+      }
+    for (std::size_t i = 0, n = result_.faces.size(); i < n; ++i) {
+      if (result_.faces[i].what != roof_mesh::kind::roof) continue;
+      std::vector<int> corners(result_.faces[i].corners.rbegin(), result_.faces[i].corners.rend());
+      for (int& c : corners) c = ground_[c];
+      add(std::move(corners), roof_mesh::kind::floor, -1);
+    }
   }
 
   void add_wall(const face_loops::side& s) {
@@ -190,9 +217,9 @@ class roof_builder {
 }  // namespace detail
 
 /// The roof over a polygon: one face for each edge that sweeps an area, walls where the weight is zero (gables), a floor, in the units of the input.
-/// Faces are flat but for rounding, and not cut into triangles unless they have holes or `options` ask for it. Points are the skeleton's nodes: heights
-/// are times multiplied by the slope. `s` is the contraction of `raw`. Throws unsupported_error for unbounded skeletons, input_error for options without
-/// sense. Cost: sorting; a floor with holes, and all triangles, the square of their rings' sizes.
+/// Faces are flat but for rounding, and not cut into triangles unless they have holes or `options` ask for it. Points are the skeleton's nodes:
+/// heights are times multiplied by the slope. `s` is the contraction of `raw`. Throws unsupported_error for unbounded skeletons, input_error for
+/// options without sense. Cost: sorting; a floor with holes, and all triangles, the square of their rings' sizes.
 inline roof_mesh make_roof(const polygon<integer>& p, const skeleton& raw, const contracted_skeleton& s, const roof_options& options = {}) {
   if (!(options.slope > 0) || !std::isfinite(options.slope) || !std::isfinite(options.eaves) || (options.walls && !(options.eaves > 0)))
     throw input_error(input_fault::bad_number, 0, "a roof needs a slope greater than zero and, with walls, eaves above zero",
