@@ -4,24 +4,47 @@
 /// \file
 /// The certificates of skeletons, by the kernel they were made with.
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <span>
 #include <string>
 
 #include "common.hpp"
+#include "osteon/planar/verify.hpp"
 #include "osteon/verify.hpp"
+#include "planar.hpp"
 
 namespace osteon::app {
 
 /// The certificate of a skeleton by the named kernel (double: by the exact one), contracted where it is given.
 inline std::optional<refutation> certify(const solid<integer>& s, const std::string& name, const skeleton& raw,
-                                  const std::optional<contracted_skeleton>& exact) {
+                                         const std::optional<contracted_skeleton>& exact) {
   const auto check = [&](const auto& k) -> std::optional<refutation> {
     if (auto broken = verify(k, s.boundary, raw)) return broken;
     return exact ? verify_contraction(k.base(), s.boundary, raw, *exact) : std::nullopt;
   };
   if (name == "rational") return check(perturbed(filtered(std::span<const moving_plane<integer>>(s.planes), make_rational_kernel(s.planes))));
   return check(perturbed(filtered(std::span<const moving_plane<integer>>(s.planes), make_sqrt_kernel(s.planes))));
+}
+
+/// The same for a polygon.
+inline std::optional<planar::refutation> certify(const planar::polygon<integer>& p, const std::string& name, const planar_skeletons& s,
+                                                 bool outside) {
+  const auto check = [&](const auto& k) -> std::optional<planar::refutation> {
+    if (auto broken = planar::verify(k, p.outline, s.raw, outside)) return broken;
+    return s.exact ? planar::verify_contraction(k.base(), p.outline, s.raw, *s.exact) : std::nullopt;
+  };
+  const std::span<const moving_line<integer>> lines(p.lines);
+  if (name == "rational") return check(perturbed(filtered(lines, make_rational_kernel(lines))));
+  return check(perturbed(filtered(lines, make_sqrt_kernel(lines))));
+}
+
+/// As an error of the program: a result that it has just computed must hold.
+template <class Names, class Refutation>
+void demand_certified(const Names& names, const std::optional<Refutation>& broken) {
+  if (broken)
+    throw invariant_error(fmt::format("the certificate is refuted: {}: {}", names[static_cast<std::size_t>(broken->broken)], broken->witness));
 }
 
 }  // namespace osteon::app

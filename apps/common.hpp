@@ -4,6 +4,8 @@
 /// \file
 /// What several commands of the program share: reading a model, naming options, choosing a kernel, writing a file.
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>

@@ -30,7 +30,8 @@
 
 namespace osteon::app {
 
-inline constexpr const char* polygon_formats = "a polygon as .xy text (x y [weight] a line, rings after blank lines), WKT, GeoJSON or an OBJ file with one flat face";
+inline constexpr const char* polygon_formats =
+    "a polygon as .xy text (x y [weight] a line, rings after blank lines), WKT, GeoJSON or an OBJ file with one flat face";
 
 /// Whether a file is a polygon's: by its extension; an OBJ file where it has a single face.
 inline bool is_polygon_file(const std::string& file) {
@@ -40,21 +41,29 @@ inline bool is_polygon_file(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   int faces = 0;
   for (std::string line; faces < 2 && std::getline(in, line);)
-    if (const std::size_t at = line.find_first_not_of(" \t"); at != std::string::npos && line[at] == 'f' && at + 1 < line.size() && line[at + 1] <= ' ') ++faces;
+    if (const std::size_t at = line.find_first_not_of(" \t");
+        at != std::string::npos && line[at] == 'f' && at + 1 < line.size() && line[at + 1] <= ' ')
+      ++faces;
   return faces == 1;
 }
 
-/// A checked polygon; what was repaired is said on standard error.
-inline planar::polygon<integer> read_polygon_file(const std::string& file) {
+/// A checked polygon; what was repaired is said on standard error. change(rings) is called before the check.
+template <class Change>
+planar::polygon<integer> read_polygon_file(const std::string& file, Change change) {
   auto rings = [&] {
     if (file == "-") return planar::read_polygon<integer>(std::cin, "standard input");
     std::ifstream in(file, std::ios::binary);
     if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
     return planar::read_polygon<integer>(in, file);
   }();
+  change(rings);
   auto polygon = planar::make_polygon(std::move(rings));
   for (const auto& repair : polygon.repairs) fmt::print(stderr, "osteon: note: {}\n", repair);
   return polygon;
+}
+
+inline planar::polygon<integer> read_polygon_file(const std::string& file) {
+  return read_polygon_file(file, [](auto&) {});
 }
 
 /// A raw skeleton and, where the kernel is exact, the contracted one.

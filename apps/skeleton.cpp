@@ -30,7 +30,9 @@ struct skeleton_command {
     c->add_option("--kernel", kernel, "numbers: sqrt (exact), rational (exact, speeds rounded to 2^-64), double (may fail)")
         ->check(CLI::IsMember({"sqrt", "rational", "double"}))
         ->capture_default_str();
-    c->add_option("--prefer", prefer, "polyhedra: which way to split a vertex of high degree")->check(CLI::IsMember(names(preferences)))->capture_default_str();
+    c->add_option("--prefer", prefer, "polyhedra: which way to split a vertex of high degree")
+        ->check(CLI::IsMember(names(preferences)))
+        ->capture_default_str();
     c->add_option("--saddle", saddle, "polyhedra: which way to take at a saddle; convex with --prefer convex and max-volume, else reflex")
         ->check(CLI::IsMember(names(saddles)));
     c->add_option("--output", output, "write the skeleton as JSON to this file");
@@ -38,14 +40,17 @@ struct skeleton_command {
     c->add_flag("--verify", certified, "check the result's certificate; ends with status 5 should it be refuted");
     c->add_flag("--outside", outside, "polygons: the skeleton of what is not in the polygon; some of its vertices move for ever");
     c->footer(
-        "The counts of a polygon's skeleton are of nodes inside of it, arcs, and faces; \"raw\" are those of the polygon moved infinitely little so that\n"
+        "The counts of a polygon's skeleton are of nodes inside of it, arcs, and faces; \"raw\" are those of the polygon moved infinitely little so "
+        "that\n"
         "no two events coincide.\n"
-        "Examples:\n  osteon skeleton house.xy --summary --verify\n  osteon skeleton bunny.obj --summary\n  osteon skeleton bunny.obj --prefer min-volume --saddle faster --output bunny.json");
+        "Examples:\n  osteon skeleton house.xy --summary --verify\n  osteon skeleton bunny.obj --summary\n  osteon skeleton bunny.obj --prefer "
+        "min-volume --saddle faster --output bunny.json");
     c->callback([this] { is_polygon_file(input.file) ? run_plane() : run(); });
   }
 
   void run_plane() const {
-    if (prefer != "convex" || !saddle.empty() || input.flip || input.triangulate) throw CLI::ValidationError(input.file, "--prefer, --saddle, --flip and --triangulate are for polyhedra");
+    if (prefer != "convex" || !saddle.empty() || input.flip || input.triangulate)
+      throw CLI::ValidationError(input.file, "--prefer, --saddle, --flip and --triangulate are for polyhedra");
     planar::polygon<integer> p = read_polygon_file(input.file);
     if (outside) p = complement(p);
     planar::options o;
@@ -53,7 +58,7 @@ struct skeleton_command {
     const auto begin = std::chrono::steady_clock::now();
     const planar_skeletons both = compute_planar(kernel, p, o);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    if (certified) certify_planar(kernel, p, both, outside);
+    if (certified) demand_certified(planar::rule_names, certify(p, kernel, both, outside));
     const planar_provenance by = {kernel, outside};
     if (!output.empty()) write_file(output, [&](std::ostream& out) { write_planar_skeleton(out, p, both, by); });
     if (summary) {
@@ -61,7 +66,10 @@ struct skeleton_command {
       const json raw = {{"nodes", both.raw.nodes.size() - p.points.size()}, {"arcs", both.raw.arcs.size()}, {"faces", faces_of(both.raw)}};
       doc["raw"] = raw;
       doc["skeleton"] = raw;
-      if (both.exact) doc["skeleton"] = {{"nodes", both.exact->nodes.size() - static_cast<std::size_t>(both.exact->vertices)}, {"arcs", both.exact->arcs.size()}, {"faces", both.exact->faces}};
+      if (both.exact)
+        doc["skeleton"] = {{"nodes", both.exact->nodes.size() - static_cast<std::size_t>(both.exact->vertices)},
+                           {"arcs", both.exact->arcs.size()},
+                           {"faces", both.exact->faces}};
       doc["events"] = {{"edge", both.raw.events[0]}, {"split", both.raw.events[1]}};
       if (certified) doc["certified"] = true;
       doc["seconds"] = took.count();
@@ -81,10 +89,7 @@ struct skeleton_command {
     const both_skeletons both = with_kernel(kernel, s.planes, [&](const auto& k) { return compute(k, s.boundary, o); });
     const skeleton& result = both.raw;
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    if (certified)
-      if (const auto broken = certify(s, kernel, result, both.exact))
-        throw invariant_error(
-            fmt::format("the certificate is refuted: {}: {}", rule_names[static_cast<std::size_t>(broken->broken)], broken->witness));
+    if (certified) demand_certified(rule_names, certify(s, kernel, result, both.exact));
     if (result.unproven_splits > 0)
       fmt::print(stderr, "osteon: note: vertices of high degree whose split is valid but perhaps not the preferred one: {}\n",
                  result.unproven_splits);

@@ -9,7 +9,7 @@
 #include "certify.hpp"
 #include "commands.hpp"
 #include "documents.hpp"
-#include "planar.hpp"
+#include "planar_documents.hpp"
 
 namespace osteon::app {
 namespace {
@@ -21,27 +21,46 @@ struct verify_command {
 
   void add_to(CLI::App& program) {
     CLI::App* c = program.add_subcommand("verify", "check the certificate of a skeleton");
-    input.add_to(*c);
+    input.add_to(*c, std::string("the closed polyhedron as Wavefront OBJ, or ") + polygon_formats);
     c->add_option("SKELETON", file, "what osteon skeleton --output has written")->required();
     c->footer(
         "Prints one JSON object. Exit status 0: certified; 1: refuted, with the broken rule and a witness; 3: unreadable.\n"
         "Example:\n  osteon skeleton bunny.obj --output bunny.json && osteon verify bunny.obj bunny.json");
-    c->callback([this] { run(); });
+    c->callback([this] { is_polygon_file(input.file) ? run_plane() : run(); });
+  }
+
+  std::ifstream open() const {
+    std::ifstream in(file, std::ios::binary);
+    if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
+    return in;
+  }
+
+  template <class Names, class Refutation>
+  void report(const Names& names, const std::optional<Refutation>& broken) {
+    holds = !broken;
+    json doc = {{"certified", holds}};
+    if (broken) {
+      doc["rule"] = names[static_cast<std::size_t>(broken->broken)];
+      doc["witness"] = broken->witness;
+    }
+    fmt::print("{}\n", doc.dump());
   }
 
   void run() {
     const solid<integer> s = input.read();
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
-    const skeleton_file given = skeleton_reader(file, s).read(in);
-    const auto broken = check(s, given);
-    holds = !broken;
-    json doc = {{"certified", holds}};
-    if (broken) {
-      doc["rule"] = rule_names[static_cast<std::size_t>(broken->broken)];
-      doc["witness"] = broken->witness;
-    }
-    fmt::print("{}\n", doc.dump());
+    std::ifstream in = open();
+    report(rule_names, check(s, skeleton_reader(file, s).read(in)));
+  }
+
+  void run_plane() {
+    const planar::polygon<integer> p = read_polygon_file(input.file);
+    std::ifstream in = open();
+    const planar_file given = planar_reader(file).read(in);
+    const planar::polygon<integer> checked = given.by.outside ? complement(p) : p;
+    report(planar::rule_names,
+           given.lines == checked.lines && given.outline.next == checked.outline.next && given.outline.line == checked.outline.line
+               ? certify(checked, given.by.kernel, given.skeletons, given.by.outside)
+               : planar::refutation{planar::rule::structure, "the lines and edges are not those of the polygon"});
   }
 
   static std::optional<refutation> check(const solid<integer>& s, const skeleton_file& given) {

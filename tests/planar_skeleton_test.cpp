@@ -153,6 +153,7 @@ struct anywhere {
   double speed() const { return 1; }
   bool is_held(planar::line_id) const { return false; }
   planar::interval time(const triple&) const { return {0, std::numeric_limits<double>::infinity()}; }
+  planar::interval sharp_time(const triple& q) const { return time(q); }
   planar::box place(const triple&) const { return whole; }
   path begin(planar::line_id, planar::line_id, const triple*) const { return {whole}; }
   planar::box swept(const path&, double, double) const { return whole; }

@@ -230,12 +230,12 @@ class contraction {
         if (p >= 0 && degree_[p]++ < 2) at[p][degree_[p] - 1] = static_cast<int>(i);
     for (std::size_t p = 0; p < places_.size(); ++p) {
       if (degree_[p] != 2 || raw_.nodes[places_[p].raw].vertex >= 0) continue;
-      const int place = static_cast<int>(p);
+      const int middle = static_cast<int>(p);
       const auto [i, j] = at[p];
       if (stretches_[i].faces != stretches_[j].faces) broken_invariant<K>("at a node at least three arcs meet");
-      const auto far = [&](int s) { return stretches_[s].ends[stretches_[s].ends[0] == place ? 1 : 0]; };
+      const auto far = [&](int s) { return stretches_[s].ends[stretches_[s].ends[0] == middle ? 1 : 0]; };
       const int end = far(j);
-      stretches_[i].ends[stretches_[i].ends[0] == place ? 0 : 1] = end;
+      stretches_[i].ends[stretches_[i].ends[0] == middle ? 0 : 1] = end;
       stretches_[j].count = 0;
       degree_[p] = 0;
       if (end >= 0 && degree_[end] <= 2)

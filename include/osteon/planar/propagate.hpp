@@ -32,6 +32,7 @@ concept motion_bounds = requires(const M& m, const triple& q, const triple* birt
   { m.speed() } -> std::convertible_to<double>;
   { m.is_held(a) } -> std::same_as<bool>;
   { m.time(q) } -> std::same_as<interval>;
+  { m.sharp_time(q) } -> std::same_as<interval>;
   { m.place(q) } -> std::same_as<box>;
   { m.begin(a, a, birth) } -> std::same_as<typename M::path>;
   { m.swept(p, t, t) } -> std::same_as<box>;
@@ -62,13 +63,15 @@ class propagation {
         if (queue_.empty() || !(queue_.top_time().last <= window_.last)) {
           if (window_.last >= options_.until) break;
           if (8 * changes_ < static_cast<int>(living_.size())) step_ *= 2;
-          open_window(window_.last);
+          // A meeting whose time is not known well must not be overtaken.
+          open_window(queue_.empty() ? window_.last : std::clamp(queue_.top_time().first, window_.first, window_.last));
           continue;
         }
         if (2 * changes_ > static_cast<int>(living_.size()) + 100) {
           // Too much happens: what has changed crowds the trees.
           const double time = std::clamp(now_first_, window_.first, window_.last);
           step_ = std::clamp((time - window_.first) / 2, step_ / 16, step_ / 2);
+          window_.last = time;
           open_window(time);
           continue;
         }
@@ -83,7 +86,7 @@ class propagation {
         now_ = m;
         if constexpr (limit_kernel<K>)
           if (k_.has_moment(m)) moment_ = m;
-        now_first_ = motion_.time(found->q).first;
+        now_first_ = motion_.sharp_time(found->q).first;
         replace(*found);
       }
     }
@@ -261,7 +264,7 @@ class propagation {
     std::erase_if(living_, [this](int e) { return !front_.edges[e].alive; });
     changes_ = 0;
     const bool contacts = reflex_left() && !(options_.outside && surrounds());
-    window_ = {from, contacts ? std::min(from + step_, options_.until) : options_.until};
+    window_ = {from, contacts ? std::min(std::max(from, window_.last) + step_, options_.until) : options_.until};
     if (!(window_.last > window_.first)) window_.last = infinity;
     for (const int e : living_)
       if (collapse_[e].first > queued_until_ && collapse_[e].first <= window_.last && !queue_collapse(lines_at(e), collapse_[e]))
@@ -362,7 +365,7 @@ class propagation {
     if (k_.closing(*m) != lambda(q, static_cast<unsigned>(std::find(q.begin(), q.end(), c) - q.begin()))) return;
     const line_id x = k_.transversal(c, a) ? a : b;
     if (!contains(e, x, a, b, *m)) return;
-    queue_.push(*m, when);
+    queue_.push(*m, motion_.sharp_time(q));
     tracks_[v].contact = c;
   }
 
@@ -379,7 +382,7 @@ class propagation {
     collapse_[e] = never;
     const triple q = lines_at(e);
     if (q[0] == q[1] || q[1] == q[2]) return;
-    const interval when = motion_.time(q);
+    const interval when = motion_.sharp_time(q);
     if (when.last < now_first_) return;
     collapse_[e] = when;
     if (when.first <= queued_until_ && !queue_collapse(q, when)) collapse_[e] = never;

@@ -734,8 +734,8 @@ class contraction_verifier {
   }
 
   bool lies_on(int node, line_id l) const {
-    const auto& [a, b] = s_.nodes[node].corner;
-    return l == a || l == b || k_.side(l, a, b, when_[node]) == sign::zero;
+    const auto& n = s_.nodes[node];
+    return std::find(n.lines.begin(), n.lines.end(), l) != n.lines.end() || k_.side(l, n.corner[0], n.corner[1], when_[node]) == sign::zero;
   }
 
   // Arcs run between different places, forwards or along a ridge, and both ends lie on the lines of both faces.

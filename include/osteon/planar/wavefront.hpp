@@ -24,8 +24,8 @@ struct wavefront {
     bool alive;
   };
   struct vertex {
-    int in;   ///< edge that ends here
-    int out;  ///< edge that starts here
+    int in;          ///< edge that ends here
+    int out;         ///< edge that starts here
     line_id before;  ///< line of the edge that ends here
     line_id after;   ///< line of the edge that starts here
     int arc;
@@ -81,7 +81,7 @@ class edge_order {
       body(only_[line]);
       return;
     }
-    const auto& edges = several_.at(line);
+    const auto& edges = edges_of(line);
     // The first edge that does not end before the point, one before it (it may end there), and one behind.
     const auto at = reached(edges, x, m);
     const auto from = at == edges.begin() ? at : at - 1;
@@ -104,7 +104,7 @@ class edge_order {
       only_[line] = -1;
       return;
     }
-    auto& edges = several_.at(line);
+    auto& edges = edges_of(line);
     edges.erase(place(edges, e, x, m));
     if (edges.size() == 1) {
       only_[line] = edges.front();
@@ -122,6 +122,15 @@ class edge_order {
     const sign s = k_.side(end, line, x, m);
     return s != sign::zero && (s == sign::positive) == grows(k_, line, end);
   }
+
+  template <class Self>
+  static auto& edges_of(Self& self, line_id line) {
+    const auto at = self.several_.find(line);
+    if (at == self.several_.end()) broken_invariant<K>("a line has edges");
+    return at->second;
+  }
+  std::vector<int>& edges_of(line_id line) { return edges_of(*this, line); }
+  const std::vector<int>& edges_of(line_id line) const { return edges_of(*this, line); }
 
   // The first edge that reaches the point or lies behind it.
   std::vector<int>::const_iterator reached(const std::vector<int>& edges, line_id x, const typename K::meeting& m) const {

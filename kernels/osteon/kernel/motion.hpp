@@ -23,7 +23,7 @@ namespace osteon::planar {
 class motion {
  public:
   /// Lines, and the points of the polygon: nothing leaves their box, unless it moves outside of the polygon.
-  motion(std::span<const moving_line<integer>> lines, std::span<const std::array<integer, 2>> points, bool outside = false) {
+  motion(std::span<const moving_line<integer>> lines, std::span<const std::array<integer, 2>> points, bool outside = false) : lines_(lines) {
     int coordinate_bits = 0;
     for (const auto& p : points)
       for (const integer& x : p) coordinate_bits = std::max(coordinate_bits, bit_length(x));
@@ -42,12 +42,12 @@ class motion {
     const double size = std::max({std::abs(frame_.low[0]), std::abs(frame_.low[1]), std::abs(frame_.high[0]), std::abs(frame_.high[1])});
     rounding_ = size * 0x1p-48;
     frame_.grow(outside ? 1e300 : rounding_);
-    unit_ = std::ldexp(1.0, shift - weight_bits);
+    unit_bits_ = shift - weight_bits;
   }
 
   const box& frame() const { return frame_; }
   /// This time as it counts here: the kernels' is too great or small for doubles where coordinates are.
-  double moment(double kernel_time) const { return kernel_time / unit_; }
+  double moment(double kernel_time) const { return std::ldexp(kernel_time, -unit_bits_); }
   /// The greatest speed of a line.
   double speed() const { return speed_; }
   /// Whether a line does not move.
@@ -70,9 +70,39 @@ class motion {
     return {t - radius, t + radius};
   }
 
+  /// The same, but as sharp as doubles can say it. Slower.
+  interval sharp_time(const triple& q) const {
+    const interval rough = time(q);
+    if (rough.last - rough.first <= 0x1p-30 * std::abs(rough.first)) return rough;
+    const auto cross_of = [&](int i, int j) {
+      const auto& m = lines_[q[i]].n;
+      const auto& n = lines_[q[j]].n;
+      return integer(m[0] * n[1] - m[1] * n[0]);
+    };
+    const std::array<integer, 3> l = {cross_of(1, 2), cross_of(2, 0), cross_of(0, 1)};
+    integer d = 0;
+    integer size = 0;
+    for (int r = 0; r < 3; ++r) {
+      d += l[r] * lines_[q[r]].d;
+      size += abs(l[r]);
+    }
+    for (unsigned precision = 128; precision <= 2048; precision *= 4) {
+      integer s = 0;  // in units of 2^-precision; each root is less than one too small
+      for (int r = 0; r < 3; ++r)
+        s += l[r] * isqrt(inner_product(lines_[q[r]].n, lines_[q[r]].n) * lines_[q[r]].weight * lines_[q[r]].weight << 2 * precision);
+      if (abs(s) <= size << 60U) continue;
+      const int d_bits = bit_length(d);
+      const int s_bits = bit_length(s);
+      const double t = std::ldexp(to_double(d, d_bits) / to_double(s, s_bits), d_bits - s_bits + static_cast<int>(precision) - unit_bits_);
+      const double radius = std::abs(t) * 0x1p-50;
+      return {t - radius, t + radius};
+    }
+    return d == 0 ? rough : interval{infinity, infinity};  // S is zero
+  }
+
   /// Where three lines meet, from the two of them that cross best.
   box place(const triple& q) const {
-    const interval t = time(q);
+    const interval t = sharp_time(q);
     std::array<int, 2> best = {0, 1};
     double greatest = -1;
     for (const std::array<int, 2> pair : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}}) {
@@ -98,7 +128,7 @@ class motion {
     path result{};
     const interval none{0, 0};
     result.start = birth != nullptr ? place(*birth) : corner(p, q, none);
-    result.since = birth != nullptr ? time(*birth) : none;
+    result.since = birth != nullptr ? sharp_time(*birth) : none;
     // n_a . v = -s_a, n_b . v = -s_b
     const double det = cross(p.n, q.n);
     const double size = std::abs(det) - error;
@@ -173,7 +203,8 @@ class motion {
   box frame_;
   double rounding_ = 0;
   double speed_ = 0;
-  double unit_ = 1;
+  int unit_bits_ = 0;
+  std::span<const moving_line<integer>> lines_;
 };
 
 }  // namespace osteon::planar

@@ -253,7 +253,6 @@ class fast_locator {
     length_ = to_double_double(rational(units_.length * scale));
     for (int axis = 0; axis < 2; ++axis) shift_[axis] = to_double_double(rational(rational(p.shift[axis]) * units_.length));
     moment_ = to_double_double(rational(units_.moment * power_of(0, lines.shift - lines.weight_shift)));
-    whole_ = to_double_double(units_.length);
   }
 
   const units& unit() const { return units_; }
@@ -325,7 +324,7 @@ class fast_locator {
   const unit_lines& lines_;
   locator exact_;
   units units_;
-  double_double length_, moment_, whole_;
+  double_double length_, moment_;
   std::array<double_double, 2> shift_;
 };
 

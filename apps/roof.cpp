@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// osteon roof.
+
+#include <iostream>
+
+#include "certify.hpp"
+#include "commands.hpp"
+#include "json_reader.hpp"
+#include "osteon/kernel/roof.hpp"
+#include "planar.hpp"
+
+namespace osteon::app {
+namespace {
+
+struct roof_command {
+  std::string file;
+  std::string output;
+  double slope = 1;
+  double eaves = 0;
+  double angle = 45;
+  std::vector<std::string> angles;
+  bool walls = false;
+  bool triangulate = false;
+  bool summary = false;
+
+  void add_to(CLI::App& program) {
+    CLI::App* c = program.add_subcommand("roof", "the roof over a polygon as a closed mesh: one face for each edge");
+    c->add_option("FILE", file, std::string(polygon_formats) + "; - for standard input")->required();
+    c->add_option("-o,--output", output, "the OBJ file; standard output where it is missing");
+    auto* s = c->add_option("--slope", slope, "height for each unit that an edge of weight 1 has moved inwards")
+                  ->check(CLI::PositiveNumber)
+                  ->capture_default_str();
+    auto* a = c->add_option("--angle", angle, "slope of all faces in degrees, above 0 and up to 90, in place of the file's weights");
+    auto* e =
+        c->add_option("--edge-angle", angles,
+                      "N=DEGREES: slope of the face of the edge that starts at point N of the file, counted from 1 through all rings; 90 is a gable");
+    c->add_option("--eaves", eaves, "height of the polygon")->check(CLI::NonNegativeNumber)->capture_default_str();
+    c->add_flag("--walls", walls, "walls from the eaves down to height 0");
+    c->add_flag("--triangulate", triangulate, "cut all faces into triangles");
+    c->add_flag("--summary", summary, "print one JSON object with counts and the greatest height");
+    a->excludes(s);
+    e->excludes(s);
+    c->footer(
+        "Without angles an edge of weight w rises by slope / w; weight 0 is a gable.\n"
+        "Examples:\n  osteon roof plan.xy -o roof.obj\n  osteon roof plan.xy --angle 40 --edge-angle 2=90 --edge-angle 4=90 --eaves 3 --walls -o "
+        "house.obj");
+    c->callback([this, a] { run(a->count() > 0); });
+  }
+
+  void run(bool one_angle) const {
+    const planar::polygon<integer> p = read_polygon_file(file, [&](planar::rings<integer>& r) {
+      if (one_angle || !angles.empty()) set_angles(r);
+    });
+    const planar_skeletons both = compute_planar("sqrt", p);
+    planar::roof_options o;
+    o.slope = slope;
+    o.eaves = eaves;
+    o.walls = walls;
+    o.triangulate = triangulate;
+    const planar::roof_mesh mesh = planar::make_roof(p, both.raw, *both.exact, o);
+    const auto write = [&](std::ostream& out) { planar::write_obj(out, mesh); };
+    if (!output.empty()) write_file(output, write);
+    if (summary) {
+      double top = eaves;
+      for (const auto& point : mesh.points) top = std::max(top, point[2]);
+      json doc = {{"points", mesh.points.size()}, {"faces", mesh.faces.size()}, {"height", top}};
+      fmt::print("{}\n", doc.dump());
+    } else if (output.empty()) {
+      write(std::cout);
+    }
+  }
+
+  // Angles become weights; they take the place of those in the file.
+  void set_angles(planar::rings<integer>& r) const {
+    std::vector<exact_number<integer>*> weights;
+    for (auto& ring : r.all) {
+      ring.weights.assign(ring.points.size(), *from_double<integer>(planar::weight_of_slope(angle)));
+      for (auto& w : ring.weights) weights.push_back(&w);
+    }
+    for (const auto& text : angles) {
+      std::size_t point = 0;
+      double degrees = 0;
+      char rest = 0;
+      if (std::sscanf(text.c_str(), "%zu=%lf%c", &point, &degrees, &rest) != 2 || point < 1 || point > weights.size())
+        throw CLI::ValidationError("--edge-angle", fmt::format("{} is not N=DEGREES with a point N from 1 to {}", text, weights.size()));
+      *weights[point - 1] = *from_double<integer>(planar::weight_of_slope(degrees));
+    }
+  }
+};
+
+}  // namespace
+
+void add_roof(CLI::App& program) {
+  static roof_command command;
+  command.add_to(program);
+}
+
+}  // namespace osteon::app
