@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -441,6 +441,267 @@ TEST(planar_weights, held_edges_of_random_polygons) {
       }
     }
   EXPECT_LT(2 * refused, all);
+}
+
+// ---- attacks
+
+planar_input turned(planar_input input, double angle, double unit) {
+  for (auto& ring : input.rings)
+    for (auto& [x, y] : ring) {
+      const double u = x * std::cos(angle) - y * std::sin(angle);
+      const double v = x * std::sin(angle) + y * std::cos(angle);
+      x = std::round(u * unit) / unit;
+      y = std::round(v * unit) / unit;
+    }
+  return input;
+}
+
+/// A bar with equal teeth of a height.
+planar_input equal_teeth(int teeth, double height) {
+  planar_input result = {{{{0, 0}, {2.0 * teeth - 1, 0}}}, {}};
+  for (int k = teeth - 1; k >= 0; --k) {
+    result.rings[0].push_back({2.0 * k + 1, height});
+    result.rings[0].push_back({2.0 * k, height});
+    if (k == 0) break;
+    result.rings[0].push_back({2.0 * k, 1});
+    result.rings[0].push_back({2.0 * k - 1, 1});
+  }
+  return result;
+}
+
+TEST(planar_attacks, gears_and_circles) {
+  for (int n = 8; n <= 64; n += 4) {
+    SCOPED_TRACE("gear " + std::to_string(n));
+    EXPECT_TRUE(agrees_with_simulation(oracles::doubles_of(planar::models::gear(n))));
+  }
+  for (int n = 3; n <= 48; ++n) {
+    SCOPED_TRACE("regular " + std::to_string(n));
+    EXPECT_TRUE(agrees_with_simulation(oracles::doubles_of(planar::models::regular(n))));
+  }
+}
+
+TEST(planar_attacks, small_symmetric_stars) {
+  for (int a = 2; a <= 6; ++a)
+    for (int b = 1; b < a; ++b)
+      for (int c = 1; c <= a; ++c) {
+        planar_input input = {{{}}, {}};
+        for (const auto& [x, y] : {std::array{1.0, 0.0}, std::array{0.0, 1.0}, std::array{-1.0, 0.0}, std::array{0.0, -1.0}})
+          for (const auto& [u, v] :
+               {std::array{1.0 * a, 0.0}, std::array{1.0 * b, b / 2.0}, std::array{1.0 * c, 1.0 * c}, std::array{b / 2.0, 1.0 * b}})
+            input.rings[0].push_back({u * x - v * y, u * y + v * x});
+        SCOPED_TRACE("star " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c));
+        try {
+          planar::make_polygon(planar::make_rings<integer>(input.rings));
+        } catch (const input_error&) {
+          continue;
+        }
+        EXPECT_TRUE(agrees_with_simulation(input));
+      }
+}
+
+TEST(planar_attacks, turned_and_rounded) {
+  for (int digits = 2; digits <= 14; digits += 2) {
+    for (int k = 1; k <= 3; ++k)
+      for (const double angle : {0.1, 0.78539816339744831, 1.0}) {
+        SCOPED_TRACE("grid_of_holes(" + std::to_string(k) + ") turned by " + std::to_string(angle) + ", " + std::to_string(digits) + " digits");
+        EXPECT_TRUE(agrees_with_simulation(turned(oracles::doubles_of(planar::models::grid_of_holes(k)), angle, std::pow(10, digits))));
+      }
+    for (int teeth = 2; teeth <= 8; teeth += 3) {
+      SCOPED_TRACE(std::to_string(teeth) + " teeth, " + std::to_string(digits) + " digits");
+      EXPECT_TRUE(agrees_with_simulation(turned(equal_teeth(teeth, 5), 0.3, std::pow(10, digits))));
+    }
+  }
+  for (int teeth = 2; teeth <= 12; ++teeth) EXPECT_TRUE(agrees_with_simulation(equal_teeth(teeth, 5))) << teeth << " teeth";
+}
+
+constexpr double simulated = 1e-15;  // with smaller numbers the simulation may give up: it has 60 digits
+
+TEST(planar_attacks, points_almost_on_a_line) {
+  for (const double eps : {1e-9, 1e-12, 1e-15, 1e-100})
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      planar::models::dice roll(seed);
+      const auto off = [&] { return eps * static_cast<double>(roll.between(-2, 2)); };
+      planar_input input = {{{{0, 0}}}, {}};
+      auto& ring = input.rings[0];
+      for (int k = 1; k < 6; ++k) ring.push_back({k / 6.0, off()});
+      ring.push_back({1, 0});
+      ring.push_back({1, 0.5});
+      ring.push_back({1, 1});
+      ring.push_back({0, 1});
+      for (int k = 1; k < 6; ++k) ring.push_back({off(), 1 - k / 6.0});
+      SCOPED_TRACE("off by " + std::to_string(std::log10(eps)) + ", seed " + std::to_string(seed));
+      EXPECT_TRUE(agrees_with_simulation(input) || eps < simulated);
+    }
+}
+
+TEST(planar_attacks, tiny_edges_spikes_and_long_polygons) {
+  for (const double eps : {1e-3, 1e-6, 1e-12, 1e-100}) {
+    SCOPED_TRACE("10^" + std::to_string(std::log10(eps)));
+    EXPECT_TRUE(agrees_with_simulation({{{{3 * eps, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 2 * eps}, {eps, eps}}}, {}}) || eps < simulated);
+    EXPECT_TRUE(agrees_with_simulation({{{{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0, 1 / eps}, {0, 0.5}}}, {}}) || eps < simulated);
+    if (eps < 1e-15) continue;
+    EXPECT_TRUE(agrees_with_simulation({{{{0, 0}, {1, 0}, {1, 1}, {0.5 + eps, 1}, {0.5, 1e6}, {0.5 - eps, 1}, {0, 1}}}, {}}));
+    EXPECT_TRUE(agrees_with_simulation({{{{0, 0}, {1, 0}, {1, 1}, {0.5 + eps, 1}, {0.5, eps}, {0.5 - eps, 1}, {0, 1}}}, {}}));
+  }
+  for (const double stretch : {1e6, 1e12, 1e100})
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const auto region = random_region(seed % 2 == 0 ? shape::coarse : shape::general, seed);
+      if (size_of(region) > 30) continue;
+      auto input = oracles::doubles_of(region);
+      for (auto& ring : input.rings)
+        for (auto& p : ring) p[0] *= stretch;
+      SCOPED_TRACE("stretched by 10^" + std::to_string(std::log10(stretch)) + ", seed " + std::to_string(seed));
+      EXPECT_TRUE(agrees_with_simulation(input) || 1 / stretch < simulated);
+    }
+}
+
+TEST(planar_attacks, weights_of_one_and_a_billion) {
+  int answers = 0;
+  for (const shape s : simple_shapes)
+    for (std::uint64_t seed = 1; seed <= 15; ++seed) {
+      const auto region = random_region(s, seed);
+      if (size_of(region) > 60) continue;
+      auto input = oracles::doubles_of(region);
+      planar::models::dice roll(seed);
+      for (const auto& ring : input.rings) {
+        auto& weights = input.weights.emplace_back();
+        for (std::size_t i = 0; i < ring.size(); ++i) weights.push_back(roll.between(0, 1) == 0 ? 1 : 1e9);
+      }
+      SCOPED_TRACE(title(s, seed));
+      answers += agrees_with_simulation(input) ? 1 : 0;
+    }
+  EXPECT_GT(answers, 20);
+}
+
+TEST(planar_attacks, doubles_end_in_some_way) {
+  for (const shape s : {shape::coarse, shape::rectilinear, shape::symmetric})
+    for (const weighting w : weightings)
+      for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+        const auto sample_ = sample(s, w, seed);
+        SCOPED_TRACE(sample_.name);
+        const auto p = planar::make_polygon(sample_.rings);
+        try {
+          oracles::raw_skeleton(make_double_kernel(oracles::lines_in(p)), p);
+        } catch (const undecided_error&) {
+        } catch (const unsupported_error&) {
+          EXPECT_EQ(w, weighting::some_zero);
+        }
+      }
+}
+
+// ---- what was found
+
+/// Points and weights of one ring: "x y w / x y w ..." or "x y / x y ...".
+planar_input parsed(const std::string& text) {
+  planar_input result = {{{}}, {}};
+  std::istringstream points(text);
+  for (std::string point; std::getline(points, point, '/');) {
+    std::istringstream numbers(point);
+    auto& p = result.rings[0].emplace_back();
+    double w = 0;
+    numbers >> p[0] >> p[1];
+    if (numbers >> w) result.weights.resize(1), result.weights[0].push_back(w);
+  }
+  return result;
+}
+
+struct finding {
+  std::string what;
+  std::string points;
+};
+
+TEST(planar_findings, stay_mended) {
+  const std::vector<finding> all = {
+      {"a ridge of two parallel edges is cut by a node that names only one of them", "3 0/4 0/4 3/5 3/5 5/2 5/2 4/3 4/3 2/2 2/2 1/3 1"},
+      {"two reflex vertices meet: the edges between them go together",
+       "9 0/5 1/6 2/8 6/6 8/2 6/1 5/0 9/-1 5/-2 6/-6 8/-8 6/-6 2/-5 1/-9 0/-5 -1/-6 -2/-8 -6/-6 -8/-2 -6/-1 -5/0 -9/1 -5/2 -6/6 -8/8 -6/6 -2/5 -1"},
+      {"where a spike closes the edge that merges is watched", "2 0/2 1/3 1/31 0/0 8/0 1/1 1"},
+      {"the same, with nothing reflex left", "8 4/-3 -1/-4 -2/-3 -3/-3 -4/-2 -4/-1 -5/9 -1"},
+      {"the same, in the contacts", "4 4/-6 3/-3 -5/0 -5/0 -6/1 -5/3 -5/3 -4/4 -4"},
+      {"an edge has length zero where it merges with another", "2 -1/-1 2/-1 1/-2 1/-1 0/-1 -1/-1 -2"},
+      {"the same, larger",
+       "2 0/3 1/2 1/1 2/2 3/1 3/0 2/-1 3/-2 3/-2 2/-3 2/-3 1/-2 0/-2 -1/-3 -1/-3 -2/-3 -3/-1 -2/-1 -3/0 -3/0 -4/1 -2/2 -2/3 -2/2 -1/3 -1"},
+      {"a window of time does not begin behind an event that is still to come",
+       "412748e12 697829/212051e12 327487/-729954e12 407052/-964352e12 556731/-732514e12 59332/-596582e12 -232735/110225e12 -222175/543405e12 "
+       "-707968/"
+       "570948e12 -909165/833354e12 -820561"},
+      {"a faster parallel edge catches up where an edge has length zero",
+       "3 2 1e9/4 2 1e9/4 3 1/5 3 1/5 4 1/4 4 1e9/4 5 1/5 5 1/5 7 1e9/4 7 1/4 6 1/3 6 1e9"},
+  };
+  for (const auto& f : all) {
+    SCOPED_TRACE(f.what);
+    EXPECT_TRUE(agrees_with_simulation(parsed(f.points)));
+  }
+}
+
+// Where the simulation gives up, or edges that stand make the skeleton a matter of rules.
+TEST(planar_findings, have_some_skeleton) {
+  const std::vector<finding> all = {
+      {"an edge between two that stand", "0 0 1/8 0 0/8 2 0/0 2 0"},
+      {"three lines coincide at one moment", "0 -1 0/3 -1 0/3 5 3/2 5 0/2 1 1/0 1 1"},
+      {"three lines coincide at one moment", "2 0 1/2 1 1/3 1 1/3 2 0/2 2 0/2 3 0/0 2 2/0 1 1"},
+  };
+  for (const auto& f : all) {
+    SCOPED_TRACE(f.what);
+    EXPECT_EQ(fault_of(skeletons_of(parsed(f.points))), "");
+  }
+}
+
+// Two edges stand on one line and face each other.
+TEST(planar_findings, doors_on_one_line_close_or_are_refused) {
+  try {
+    EXPECT_EQ(fault_of(skeletons_of(parsed("1216 348 1/322 348 0/322 473 1/0 13 1/322 13 0/322 0 1"))), "");
+  } catch (const unsupported_error&) {
+  }
+}
+
+TEST(planar_until, gives_the_beginning) {
+  std::vector<planar_input> inputs = {
+      parsed("412748e12 697829/212051e12 327487/-729954e12 407052/-964352e12 556731/-732514e12 59332/-596582e12 -232735/110225e12 -222175/"
+             "543405e12 -707968/570948e12 -909165/833354e12 -820561")};
+  for (const shape s : simple_shapes)
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) inputs.push_back(oracles::doubles_of(random_region(s, seed)));
+  for (const auto& input : inputs) {
+    SCOPED_TRACE("input " + std::to_string(&input - inputs.data()));
+    const auto p = planar::make_polygon(planar::make_rings<integer>(input.rings));
+    const auto k = oracles::planar_default_kernel(p);
+    const planar::motion motion(oracles::lines_in(p), p.points);
+    const auto all = events_of(oracles::raw_skeleton(k, p));
+    const double end = motion.time(all.back()).last;
+    for (const double part : {0.1, 0.5, 0.9, 1.0, 1e100}) {
+      planar::options o;
+      o.until = std::min(part * end, 1e300);
+      const auto some = events_of(planar::propagation(k, p.outline, motion, o).run());
+      ASSERT_LE(some.size(), all.size());
+      EXPECT_TRUE(std::equal(some.begin(), some.end(), all.begin()));
+      for (std::size_t i = some.size(); i < all.size(); ++i) EXPECT_GE(motion.time(all[i]).last, o.until * (1 - 1e-9));
+    }
+  }
+}
+
+// ---- the check can fail
+
+TEST(planar_check, notices_planted_faults) {
+  const auto right = skeletons_of(oracles::doubles_of(random_region(shape::holes, 3)));
+  ASSERT_EQ(fault_of(right), "");
+  auto wrong = right;
+  wrong.exact.arcs.pop_back();
+  EXPECT_NE(fault_of(wrong), "");
+  wrong = right;
+  wrong.exact.arcs.back().target = -1;
+  EXPECT_NE(fault_of(wrong), "");
+  wrong = right;
+  wrong.exact.arcs.back().target = wrong.exact.arcs.back().source;
+  EXPECT_NE(fault_of(wrong), "");
+  wrong = right;
+  for (int& f : wrong.exact.arcs.back().faces) f = f == 0 ? 1 : 0;
+  EXPECT_NE(fault_of(wrong), "");
+  wrong = right;
+  wrong.exact.arcs.push_back(wrong.exact.arcs.back());
+  EXPECT_NE(fault_of(wrong), "");
+  wrong = right;
+  ++wrong.polygon.holes;
+  EXPECT_NE(fault_of(wrong), "");
 }
 
 // ---- prisms

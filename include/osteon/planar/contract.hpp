@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -66,14 +67,16 @@ class contraction {
     std::array<int, 2> faces = {-1, -1};
     int count = 0;
 
-    void toggle(int face) {
+    // False where there is no room.
+    bool toggle(int face) {
       for (int i = 0; i < count; ++i)
         if (faces[i] == face) {
           faces[i] = faces[--count];
-          return;
+          return true;
         }
-      if (count == 2) broken_invariant<K>("an arc has two sides in the limit");
+      if (count == 2) return false;
       faces[count++] = face;
+      return true;
     }
   };
 
@@ -81,7 +84,7 @@ class contraction {
 
   void merge_nodes() {
     place_of_.resize(raw_.nodes.size());
-    std::unordered_map<std::uint64_t, std::vector<int>> here;  // places of the moment by one of their lines
+    std::unordered_map<line_id, std::vector<int>> here;  // places of the moment on each line, in their order
     for (std::size_t n = 0; n < raw_.nodes.size(); ++n) {
       const auto& node = raw_.nodes[n];
       if (node.vertex >= 0) {
@@ -90,28 +93,35 @@ class contraction {
         continue;
       }
       const auto when = k_.meet(node.lines);
-      if (!when) broken_invariant<K>("the lines of an event meet in the limit");
+      if (!when)
+        throw unsupported_error("held edges on one line face each other at the lines " + std::to_string(node.lines[0]) + ", " +
+                                std::to_string(node.lines[1]) + " and " + std::to_string(node.lines[2]) +
+                                ": whether the polygon is open between them cannot be told; cure: move one of them a little");
       if (moments_.empty() || k_.compare(moments_.back(), *when) != sign::zero) {
         moments_.push_back(*when);
         here.clear();
       }
-      const place p = {static_cast<int>(n), static_cast<int>(moments_.size()) - 1, corner_of(node.lines)};
+      const int fresh = static_cast<int>(places_.size());
+      places_.push_back({static_cast<int>(n), static_cast<int>(moments_.size()) - 1, corner_of(node.lines)});
       int found = -1;
-      for (const line_id l : node.lines)
-        for (const int q : here[static_cast<std::uint32_t>(l)])
-          if (root(q) != found && lies_on(p, places_[q].corner[0]) && lies_on(p, places_[q].corner[1])) {
-            // Several, so far without a common line, may turn out to be one.
-            if (found >= 0) places_[std::max(found, root(q))].same = std::min(found, root(q));
-            found = found < 0 ? root(q) : std::min(found, root(q));
-          }
-      if (found < 0) {
-        found = static_cast<int>(places_.size());
-        places_.push_back(p);
+      std::array<int, 3> at{};
+      for (int r = 0; r < 3; ++r) {
+        const line_id line = node.lines[r];
+        const auto& places = here[line];
+        at[r] = static_cast<int>(
+            std::partition_point(places.begin(), places.end(), [&](int q) { return comes_first(line, places_[q], places_[fresh]); }) -
+            places.begin());
+        if (at[r] == static_cast<int>(places.size()) || comes_first(line, places_[fresh], places_[places[at[r]]])) continue;
+        // Several, so far without a common line, may turn out to be one.
+        const int same = root(places[at[r]]);
+        if (found >= 0 && found != same) places_[std::max(found, same)].same = std::min(found, same);
+        found = found < 0 ? same : std::min(found, same);
       }
-      place_of_[n] = found;
-      for (const line_id l : node.lines) {
-        auto& list = here[static_cast<std::uint32_t>(l)];
-        if (std::find(list.begin(), list.end(), found) == list.end()) list.push_back(found);
+      if (found >= 0) places_.pop_back();
+      place_of_[n] = found >= 0 ? found : fresh;
+      for (int r = 0; r < 3; ++r) {
+        auto& places = here[node.lines[r]];
+        if (at[r] == static_cast<int>(places.size()) || root(places[at[r]]) != place_of_[n]) places.insert(places.begin() + at[r], place_of_[n]);
       }
     }
     for (int& p : place_of_) p = root(p);
@@ -132,7 +142,6 @@ class contraction {
     if (l == p.corner[0] || l == p.corner[1]) return sign::zero;
     return k_.side(l, p.corner[0], p.corner[1], moments_[p.moment]);
   }
-  bool lies_on(const place& p, line_id l) const { return side(l, p) == sign::zero; }
 
   // ---- arcs
 
@@ -211,13 +220,26 @@ class contraction {
     const std::uint64_t key = static_cast<std::uint64_t>(static_cast<std::uint32_t>(from)) << 32U | static_cast<std::uint32_t>(to);
     const auto [at, fresh] = index_.try_emplace(key, static_cast<int>(stretches_.size()));
     if (fresh) stretches_.push_back({{from, to}});
-    for (const int f : faces) stretches_[at->second].toggle(f);
+    for (const int f : faces)
+      if (!stretches_[at->second].toggle(f)) crowded_[at->second].push_back(f);
   }
 
   // ---- the result
 
   // Two stretches between the same faces that meet at a place where nothing else does are one.
   void join_straight() {
+    for (auto& [s, more] : crowded_) {
+      auto& to = stretches_[s];
+      more.insert(more.end(), to.faces.begin(), to.faces.begin() + to.count);
+      std::sort(more.begin(), more.end());
+      to.count = 0;
+      for (std::size_t i = 0; i < more.size();) {
+        std::size_t next = i;
+        while (next < more.size() && more[next] == more[i]) ++next;
+        if ((next - i) % 2 != 0 && !to.toggle(more[i])) broken_invariant<K>("an arc has two sides in the limit");
+        i = next;
+      }
+    }
     std::erase_if(stretches_, [](const stretch& s) { return s.count == 0; });
     for (auto& s : stretches_) {
       if (s.count != 2) broken_invariant<K>("an arc has two sides in the limit");
@@ -280,6 +302,7 @@ class contraction {
   std::vector<int> place_of_;
   std::unordered_map<std::uint64_t, int> index_;
   std::vector<stretch> stretches_;
+  std::unordered_map<int, std::vector<int>> crowded_;  // faces of stretches that had no room for them
   std::vector<int> degree_;
 };
 

@@ -263,14 +263,14 @@ class propagation {
   void open_window(double from) {
     std::erase_if(living_, [this](int e) { return !front_.edges[e].alive; });
     changes_ = 0;
-    const bool contacts = reflex_left() && !(options_.outside && surrounds());
-    window_ = {from, contacts ? std::min(std::max(from, window_.last) + step_, options_.until) : options_.until};
+    contacts_ = reflex_left() && !(options_.outside && surrounds());
+    window_ = {from, contacts_ ? std::min(std::max(from, window_.last) + step_, options_.until) : options_.until};
     if (!(window_.last > window_.first)) window_.last = infinity;
     for (const int e : living_)
       if (collapse_[e].first > queued_until_ && collapse_[e].first <= window_.last && !queue_collapse(lines_at(e), collapse_[e]))
         collapse_[e] = never;
     queued_until_ = std::max(queued_until_, window_.last);
-    if (!contacts) return;
+    if (!contacts_) return;
     box frame;
     for (const int e : living_) {
       const int v = front_.edges[e].tail;
@@ -365,7 +365,9 @@ class propagation {
     if (k_.closing(*m) != lambda(q, static_cast<unsigned>(std::find(q.begin(), q.end(), c) - q.begin()))) return;
     const line_id x = k_.transversal(c, a) ? a : b;
     if (!contains(e, x, a, b, *m)) return;
-    queue_.push(*m, motion_.sharp_time(q));
+    const interval sharp = motion_.sharp_time(q);
+    if (!(sharp.first < infinity)) return;
+    queue_.push(*m, sharp);
     tracks_[v].contact = c;
   }
 
@@ -383,7 +385,7 @@ class propagation {
     const triple q = lines_at(e);
     if (q[0] == q[1] || q[1] == q[2]) return;
     const interval when = motion_.sharp_time(q);
-    if (when.last < now_first_) return;
+    if (when.last < now_first_ || !(when.first < infinity)) return;
     collapse_[e] = when;
     if (when.first <= queued_until_ && !queue_collapse(q, when)) collapse_[e] = never;
   }
@@ -451,6 +453,7 @@ class propagation {
 
   void replace(const neighbourhood& n) {
     const int node = static_cast<int>(result_.nodes.size());
+    if (node > 8 * static_cast<int>(polygon_.next.size())) broken_invariant<K>("there are not more events than edges and vertices");
     result_.nodes.push_back({-1, n.q, event_class::edge});
     ++changes_;
     const bool vanished = end_arcs(n, node);
@@ -501,7 +504,8 @@ class propagation {
           const line_id t = front_.line_before(front_.edges[e].tail);
           const line_id h = front_.line_after(front_.edges[e].head);
           const line_id line = front_.edges[e].line;
-          if (t == h || !k_.transversal(line, h) || !k_.touches(h, t, line, moment_)) continue;
+          // Between parallel edges of different speed it is needed as their step.
+          if (!k_.transversal(t, h) || !k_.transversal(line, h) || !k_.touches(h, t, line, moment_)) continue;
           remove(e);
           any = true;
         }
@@ -579,6 +583,7 @@ class propagation {
     int e = n.edges[r][first];
     int f = n.edges[r][last];
     const int middle = n.edges[r][local::segment_label(n.small, r, false)];
+    if ((through_first && e < 0) || (through_last && f < 0)) broken_invariant<K>("rays stay what they are in an event");
     const line_id x = k_.transversal(line, n.q[j]) ? n.q[j] : n.q[k];
     const bool middle_dies = middle >= 0 && middle != e && middle != f;
     const bool merge = through_first && through_last && through_segment && e != f;
@@ -623,7 +628,7 @@ class propagation {
 
   // These edges, vertices that live longer than was known, and the edges at them, are looked at anew.
   void watch_contacts(const std::array<int, 9>& edges, int count) {
-    if (!(window_.last < infinity) && reflex_.empty()) return;
+    if (!contacts_) return;
     std::array<int, 18> vertices{};
     int more = 0;
     for (int i = 0; i < count; ++i)
@@ -672,6 +677,7 @@ class propagation {
   double now_first_ = 0;             // the present moment is not earlier
   double queued_until_ = -infinity;  // so far all collapses are in the queue
   double step_ = 0;
+  bool contacts_ = true;  // some are possible
   int changes_ = 0;
   std::vector<int> fresh_;          // edges that have changed at this moment
   std::vector<track> tracks_;       // by vertex
