@@ -86,6 +86,9 @@ inline void write_planar_skeleton(std::ostream& out, const planar::polygon<integ
   arcs(s.raw.arcs);
   fmt::print(out, ",\n");
   list("faces", s.raw.faces.size(), [&](std::size_t i) { fmt::print(out, "{}", s.raw.faces[i]); });
+  fmt::print(out, ",\n");
+  list("passes", s.raw.passes.size(),
+       [&](std::size_t i) { fmt::print(out, "{{\"arc\":{},\"node\":{}}}", s.raw.passes[i].arc, s.raw.passes[i].node); });
   fmt::print(out, ",\n\"events\":{{\"edge\":{},\"split\":{}}}", s.raw.events[0], s.raw.events[1]);
   if (s.exact) {
     fmt::print(out, ",\n\"contracted\":{{");
@@ -148,6 +151,7 @@ class planar_reader : json_reader {
     });
     read_arcs(doc, raw.arcs, "");
     raw.faces = list(doc, "faces", "");
+    for_each(doc, "passes", [&](const json& p, const std::string& at) { raw.passes.push_back({whole(p, "arc", at), whole(p, "node", at)}); });
     const json& events = member(doc, "events", "");
     raw.events = {whole(events, "edge", "events"), whole(events, "split", "events")};
     if (doc.contains("contracted")) {

@@ -190,10 +190,32 @@ inline bool reflex_vertices_meet(const planar_skeletons& s) {
 inline std::string fault_of(const planar_skeletons& s) {
   const auto& o = s.polygon.outline;
   const int vertices = static_cast<int>(o.next.size());
-  const int inner = static_cast<int>(s.exact.nodes.size()) - s.exact.vertices;
-  std::vector<int> place(s.exact.nodes.size());  // vertices of the polygon, then inner nodes
-  for (std::size_t i = 0, fresh = 0; i < place.size(); ++i)
-    place[i] = s.exact.nodes[i].vertex >= 0 ? s.exact.nodes[i].vertex : vertices + static_cast<int>(fresh++);
+  // Places: vertices of the polygon, then inner nodes; one where sheets without a common face touch counts for each of them.
+  int inner = 0;
+  std::vector<std::map<int, int>> place_at(s.exact.nodes.size());  // by node and face
+  const auto unite = [&place_at](int node, const std::array<int, 2>& faces) {
+    if (node < 0) return;
+    auto& at = place_at[static_cast<std::size_t>(node)];
+    const int from = at.try_emplace(faces[0], faces[0]).first->second;
+    const int to = at.try_emplace(faces[1], faces[1]).first->second;
+    for (auto& [face, root] : at)
+      if (root == from) root = to;
+  };
+  for (const auto& a : s.exact.arcs) {
+    unite(a.source, a.faces);
+    unite(a.target, a.faces);
+  }
+  for (std::size_t i = 0; i < place_at.size(); ++i) {
+    std::map<int, int> number;
+    for (auto& [face, root] : place_at[i]) {
+      const auto [found, fresh] = number.try_emplace(root, vertices + inner);
+      if (s.exact.nodes[i].vertex >= 0)
+        root = s.exact.nodes[i].vertex;
+      else
+        root = found->second, inner += fresh ? 1 : 0;
+    }
+  }
+  const auto place_of = [&place_at](int node, int face) { return place_at[static_cast<std::size_t>(node)].at(face); };
   std::vector<int> degree(static_cast<std::size_t>(vertices + inner));
   std::vector<int> root(degree.size());
   std::iota(root.begin(), root.end(), 0);
@@ -208,8 +230,8 @@ inline std::string fault_of(const planar_skeletons& s) {
     if (a.source < 0 || a.target < 0) return "an arc does not end";
     if (a.source == a.target) return "an arc ends where it begins";
     if (a.faces[0] == a.faces[1]) return "an arc has the same face on both sides";
-    const int from = place[static_cast<std::size_t>(a.source)];
-    const int to = place[static_cast<std::size_t>(a.target)];
+    const int from = place_of(a.source, a.faces[0]);
+    const int to = place_of(a.target, a.faces[0]);
     for (const int at : {from, to}) ++degree[static_cast<std::size_t>(at)];
     for (const int f : a.faces) borders[f].push_back({from, to}), with_arcs.insert(f);
     root[static_cast<std::size_t>(find(from))] = find(to);

@@ -86,7 +86,7 @@ inline std::string prism_difference(const planar_input& input) {
     std::string result;
     for (const auto& list : only) {
       result += " (";
-      for (const int e : list) result += " " + std::to_string(e);
+      for (const int e : list) result += std::string(" ") + std::to_string(e);
       result += " )";
     }
     return result;

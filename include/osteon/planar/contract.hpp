@@ -146,63 +146,98 @@ class contraction {
   // ---- arcs
 
   void collect_stretches() {
-    const int moments = static_cast<int>(moments_.size());
-    std::vector<std::vector<int>> instant(moments);  // raw arcs that begin and end at one moment in two places
+    find_ridges();
+    std::unordered_map<int, std::vector<int>> passed;  // places on the way of an arc, in order of time
+    for (const auto& p : raw_.passes) {
+      const place& at = places_[place_of_[p.node]];
+      for (const int f : raw_.arcs[p.arc].faces)
+        if (at.moment < 0 || side(line_[f], at) != sign::zero) broken_invariant<K>("an arc passes through its nodes");
+      passed[p.arc].push_back(place_of_[p.node]);
+    }
     for (std::size_t a = 0; a < raw_.arcs.size(); ++a) {
       const auto& arc = raw_.arcs[a];
-      const int from = place_of_[arc.source];
-      if (arc.target < 0) {
+      int from = place_of_[arc.source];
+      const auto on_the_way = passed.find(static_cast<int>(a));
+      if (on_the_way != passed.end())
+        for (const int p : on_the_way->second)
+          if (p != from && (arc.target < 0 || p != place_of_[arc.target])) {
+            add_stretch(from, p, arc.faces);
+            from = p;
+          }
+      if (arc.target < 0)
         add_stretch(from, -1 - static_cast<int>(a), arc.faces);
-        continue;
-      }
-      const int to = place_of_[arc.target];
-      if (from == to) continue;
-      if (places_[from].moment >= 0 && places_[from].moment == places_[to].moment)
-        instant[places_[from].moment].push_back(static_cast<int>(a));
-      else
+      else if (const int to = place_of_[arc.target]; is_instant(from, to))
+        cut_ridge(arc, from, to);
+      else if (from != to)
         add_stretch(from, to, arc.faces);
     }
-    std::vector<std::vector<int>> nodes_at(moments);
-    for (std::size_t n = 0; n < raw_.nodes.size(); ++n)
-      if (const int m = places_[place_of_[n]].moment; m >= 0 && !instant[m].empty()) nodes_at[m].push_back(static_cast<int>(n));
-    for (int m = 0; m < moments; ++m)
-      if (!instant[m].empty()) cut_ridges(instant[m], nodes_at[m]);
   }
 
-  // Two lines of an arc without duration coincide. The places on them, in their order, cut it.
-  void cut_ridges(const std::vector<int>& arcs, const std::vector<int>& nodes) {
-    std::unordered_map<line_id, line_id> same;
-    const auto root = [&same](line_id l) {
-      while (true) {
-        const auto up = same.find(l);
-        if (up == same.end() || up->second == l) return l;
-        l = up->second;
-      }
-    };
-    for (const int a : arcs) {
-      const line_id of = root(line_[raw_.arcs[a].faces[1]]);
+  bool is_instant(int from, int to) const { return from != to && places_[from].moment >= 0 && places_[from].moment == places_[to].moment; }
+
+  // The lines of an arc without duration coincide, and with them perhaps others of that moment. A ridge is such a line with the places on it in their
+  // order; those that fall together are one.
+  void find_ridges() {
+    for (std::size_t a = 0; a < raw_.arcs.size(); ++a) {
+      const auto& arc = raw_.arcs[a];
+      if (arc.target < 0 || !is_instant(place_of_[arc.source], place_of_[arc.target])) continue;
+      const int m = places_[place_of_[arc.source]].moment;
+      auto& same = ridge_of_[m];
+      const line_id of = ridge(same, line_[arc.faces[1]]);
       same.try_emplace(of, of);
-      same[root(line_[raw_.arcs[a].faces[0]])] = of;
+      same[ridge(same, line_[arc.faces[0]])] = of;
     }
-    std::unordered_map<line_id, std::vector<int>> on;
-    for (const int n : nodes)
+    for (std::size_t n = 0; n < raw_.nodes.size(); ++n) {
+      const int m = places_[place_of_[n]].moment;
+      const auto same = ridge_of_.find(m);
+      if (same == ridge_of_.end()) continue;
       for (const line_id l : raw_.nodes[n].lines)
-        if (same.contains(l)) on[root(l)].push_back(place_of_[n]);
-    for (auto& [line, places] : on) {
+        if (same->second.contains(l)) on_ridge_[ridge_key(m, ridge(same->second, l))].push_back(place_of_[n]);
+    }
+    for (auto& [key, places] : on_ridge_) {
       std::sort(places.begin(), places.end());
       places.erase(std::unique(places.begin(), places.end()), places.end());
-      const line_id along = line;
+      const auto along = static_cast<line_id>(key & 0xFFFFFFFFU);
       std::sort(places.begin(), places.end(), [&](int p, int q) { return comes_first(along, places_[p], places_[q]); });
+      for (std::size_t i = 1; i < places.size(); ++i)
+        if (!comes_first(along, places_[places[i - 1]], places_[places[i]])) {
+          const auto [p, q] = std::minmax({root(places[i - 1]), root(places[i])});
+          if (p != q) places_[q].same = p;
+        }
     }
-    for (const int a : arcs) {
-      const auto& arc = raw_.arcs[a];
-      const auto& places = on[root(line_[arc.faces[0]])];
-      auto from = std::find(places.begin(), places.end(), place_of_[arc.source]);
-      auto to = std::find(places.begin(), places.end(), place_of_[arc.target]);
-      if (from == places.end() || to == places.end()) broken_invariant<K>("an arc ends on its lines");
-      if (to < from) std::swap(from, to);
-      for (; from != to; ++from) add_stretch(*from, *(from + 1), arc.faces);
+    for (int& p : place_of_) p = root(p);
+    for (auto& [key, places] : on_ridge_) {
+      for (int& p : places) p = root(p);
+      places.erase(std::unique(places.begin(), places.end()), places.end());
     }
+  }
+
+  static std::uint64_t ridge_key(int moment, line_id line) { return static_cast<std::uint64_t>(moment) << 32U | static_cast<std::uint32_t>(line); }
+
+  // The line that stands for all that coincide with this one.
+  using coincidence = std::unordered_map<line_id, line_id>;
+  static line_id ridge(const coincidence& same, line_id l) {
+    while (true) {
+      const auto up = same.find(l);
+      if (up == same.end() || up->second == l) return l;
+      l = up->second;
+    }
+  }
+
+  // The places on the way cut an arc without duration.
+  void cut_ridge(const skeleton::arc& arc, int source, int target) {
+    const int m = places_[source].moment;
+    const line_id along = ridge(ridge_of_[m], line_[arc.faces[0]]);
+    const auto& places = on_ridge_[ridge_key(m, along)];
+    const auto find = [&](int p) {
+      return std::partition_point(places.begin(), places.end(), [&](int q) { return comes_first(along, places_[q], places_[p]); });
+    };
+    auto from = find(source);
+    auto to = find(target);
+    if (to < from) std::swap(from, to);
+    if (to == places.end() || std::min(*from, *to) != std::min(source, target) || std::max(*from, *to) != std::max(source, target))
+      broken_invariant<K>("an arc ends on its lines");
+    for (; from != to; ++from) add_stretch(*from, *(from + 1), arc.faces);
   }
 
   // Whether p comes before q on a line on which both lie.
@@ -300,6 +335,8 @@ class contraction {
   std::vector<meeting> moments_;  // all that are different
   std::vector<place> places_;     // in order of time
   std::vector<int> place_of_;
+  std::unordered_map<int, coincidence> ridge_of_;                 // by moment
+  std::unordered_map<std::uint64_t, std::vector<int>> on_ridge_;  // places in order
   std::unordered_map<std::uint64_t, int> index_;
   std::vector<stretch> stretches_;
   std::unordered_map<int, std::vector<int>> crowded_;  // faces of stretches that had no room for them

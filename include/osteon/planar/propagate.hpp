@@ -465,7 +465,11 @@ class propagation {
     std::array<int, 9> touched{};
     int count = 0;
     for (unsigned r = 0; r < 3; ++r)
-      if (merged[r] >= 0) touched[count++] = merged[r];
+      if (merged[r] >= 0) {
+        touched[count++] = merged[r];
+        const auto [j, k] = others(r);
+        merged_.push_back({merged[r], node, k_.transversal(n.q[r], n.q[j]) ? n.q[j] : n.q[k]});
+      }
     for (const corner& c : corners) {
       if (c.in < 0 && c.out < 0) continue;
       if (c.in < 0 || c.out < 0) broken_invariant<K>("a vertex joins two edges");
@@ -509,6 +513,15 @@ class propagation {
           remove(e);
           any = true;
         }
+    if constexpr (limit_kernel<K>)
+      for (const merge& m : merged_) {
+        const auto& e = front_.edges[m.edge];
+        if (!e.alive) continue;
+        for (const int v : {e.tail, e.head})
+          if (result_.arcs[front_.vertices[v].arc].source < m.node && k_.touches(m.other, front_.line_before(v), front_.line_after(v), moment_))
+            result_.passes.push_back({front_.vertices[v].arc, m.node});
+      }
+    merged_.clear();
     fresh_.clear();
     return any;
   }
@@ -586,10 +599,10 @@ class propagation {
     if ((through_first && e < 0) || (through_last && f < 0)) broken_invariant<K>("rays stay what they are in an event");
     const line_id x = k_.transversal(line, n.q[j]) ? n.q[j] : n.q[k];
     const bool middle_dies = middle >= 0 && middle != e && middle != f;
-    const bool merge = through_first && through_last && through_segment && e != f;
+    const bool joins = through_first && through_last && through_segment && e != f;
     if (middle_dies) erase_edge(middle, x, n.when);
-    if (merge) erase_edge(f, x, n.when);
-    if (merge) {  // two edges of a line become one
+    if (joins) erase_edge(f, x, n.when);
+    if (joins) {  // two edges of a line become one
       front_.edges[e].head = front_.edges[f].head;
       front_.vertices[front_.edges[f].head].in = e;
       merge_faces(front_.edges[e].face, front_.edges[f].face);
@@ -606,7 +619,7 @@ class propagation {
     if (through_first && !(through_segment && through_last)) (through_segment ? far : near).in = e;
     if (through_last && !(through_segment && through_first)) (through_segment ? near : far).out = f;
     if (through_segment && !through_first && !through_last) broken_invariant<K>("no edge comes from nowhere");
-    return merge ? e : -1;
+    return joins ? e : -1;
   }
 
   void erase_edge(int e, line_id x, const meeting& m) {
@@ -679,7 +692,14 @@ class propagation {
   double step_ = 0;
   bool contacts_ = true;  // some are possible
   int changes_ = 0;
-  std::vector<int> fresh_;          // edges that have changed at this moment
+  std::vector<int> fresh_;  // edges that have changed at this moment
+  // Edges that have become one with another on their line at this moment, at a node of a third line.
+  struct merge {
+    int edge;
+    int node;
+    line_id other;
+  };
+  std::vector<merge> merged_;
   std::vector<track> tracks_;       // by vertex
   std::vector<interval> collapse_;  // by edge: when it vanishes, as it is
   box_tree edge_boxes_;

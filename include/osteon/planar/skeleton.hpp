@@ -33,6 +33,12 @@ struct skeleton {
   /// Each edge of the polygon sweeps a face; face i begins with edge i. Edges on one line that merge on their way share a face: all name the
   /// same representative, itself one of them. The faces of arcs are representatives.
   std::vector<int> faces;
+  /// An arc and a node through whose place it passes in the limit: an edge of length zero there has become part of another one on its line.
+  struct pass {
+    int arc;
+    int node;
+  };
+  std::vector<pass> passes;
   std::array<int, 2> events{};  ///< by class
 };
 

@@ -154,6 +154,12 @@ class verifier {
       demand(q[0] >= 0 && q[0] < q[1] && q[1] < q[2] && q[2] < k_.size(), rule::structure, "node", i, "needs three lines, ascending");
       demand(node.event == event_class::edge || node.event == event_class::split, rule::structure, "node", i, "has no class of event");
     }
+    for (const auto& p : s_.passes) {
+      demand(exists(p.arc, s_.arcs.size()) && exists(p.node, s_.nodes.size()) && s_.nodes[p.node].vertex < 0, rule::structure, "arc", p.arc,
+             "is none, or passes through no event");
+      demand(s_.arcs[p.arc].source < p.node && (s_.arcs[p.arc].target < 0 || p.node < s_.arcs[p.arc].target), rule::order, "arc", p.arc,
+             "passes through a node before or after its time");
+    }
     for (int f = 0; f < static_cast<int>(n); ++f)
       demand(exists(s_.faces[f], n) && s_.faces[s_.faces[f]] == s_.faces[f], rule::structure, "face", f, "has no representative");
     for (int a = 0; a < static_cast<int>(s_.arcs.size()); ++a) {
