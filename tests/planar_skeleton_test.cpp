@@ -645,6 +645,7 @@ TEST(planar_findings, have_some_skeleton) {
        "3 2 1e9/4 2 1e9/4 3 1/5 3 1/5 4 1/4 4 1e9/4 5 1/5 5 1/5 7 1e9/4 7 1/4 6 1/3 6 1e9"},
       {"nodes at one place have no common line but coinciding ones",
        "1 0 1/2 0 0/2 1 1/4 1 1/4 2 1/3 2 1/3 3 1/2 3 1/2 4 1/3 4 2/3 5 1/2 6 1/3 6 2/3 7 0/2 7 0/2 8 2/0 8 1/0 7 0/1 7 2"},
+      {"an arc without duration lies on its nodes' lines", "0 0 1/607 0 2/607 1 1/1148 1 5/1148 362 1/607 362 2/607 1931 1"},
       {"three lines coincide at one moment", "2 0 1/2 1 1/3 1 1/3 2 0/2 2 0/2 3 0/0 2 2/0 1 1"},
   };
   for (const auto& f : all) {

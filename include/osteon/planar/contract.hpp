@@ -178,6 +178,14 @@ class contraction {
   // The lines of an arc without duration coincide, and with them perhaps others of that moment. A ridge is such a line with the places on it in their
   // order; those that fall together are one.
   void find_ridges() {
+    for (const auto& arc : raw_.arcs) {  // places without a common line are one where an arc of no length joins them
+      const int p = arc.target < 0 ? -1 : root(place_of_[arc.source]);
+      const int q = arc.target < 0 ? -1 : root(place_of_[arc.target]);
+      if (p < 0 || !is_instant(p, q)) continue;
+      const auto& corner = places_[q].corner;
+      if (side(corner[0], places_[p]) == sign::zero && side(corner[1], places_[p]) == sign::zero) places_[std::max(p, q)].same = std::min(p, q);
+    }
+    for (int& p : place_of_) p = root(p);
     for (std::size_t a = 0; a < raw_.arcs.size(); ++a) {
       const auto& arc = raw_.arcs[a];
       if (arc.target < 0 || !is_instant(place_of_[arc.source], place_of_[arc.target])) continue;
