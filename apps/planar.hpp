@@ -33,18 +33,33 @@ namespace osteon::app {
 inline constexpr const char* polygon_formats =
     "a polygon as .xy text (x y [weight] a line, rings after blank lines), WKT, GeoJSON or an OBJ file with one flat face";
 
-/// Whether a file is a polygon's: by its extension; an OBJ file where it has a single face.
-inline bool is_polygon_file(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension != ".obj") return extension == ".xy" || extension == ".txt" || extension == ".wkt" || extension == ".geojson" || extension == ".json";
-  std::ifstream in(file, std::ios::binary);
+/// Whether an OBJ text has a single face.
+inline bool has_one_face(std::istream& in) {
   int faces = 0;
   for (std::string line; faces < 2 && std::getline(in, line);)
     if (const std::size_t at = line.find_first_not_of(" \t");
         at != std::string::npos && line[at] == 'f' && at + 1 < line.size() && line[at + 1] <= ' ')
       ++faces;
   return faces == 1;
+}
+
+/// Whether a file is a polygon's: by its extension, standard input by its beginning (an OBJ text is a polyhedron's there); an OBJ file where
+/// it has a single face. Standard input can be read from its beginning afterwards.
+inline bool is_polygon_file(const std::string& file) {
+  if (file == "-") {
+    std::string head(1U << 16U, '\0');
+    std::cin.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(std::cin.gcount()));
+    const bool polygon = planar::guess_format("", head) != planar::format::obj;
+    static planar::detail::rewound whole(std::move(head), std::cin.rdbuf());
+    std::cin.rdbuf(&whole);  // clears the end of the file, too
+    return polygon;
+  }
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension != ".obj") return extension == ".xy" || extension == ".txt" || extension == ".wkt" || extension == ".geojson" || extension == ".json";
+  std::ifstream in(file, std::ios::binary);
+  return has_one_face(in);
 }
 
 /// A checked polygon; what was repaired is said on standard error. change(rings) is called before the check.
