@@ -72,8 +72,8 @@ std::vector<std::uint64_t> independent_ways(const splitter<K>& s, const split_tr
   return factors;
 }
 
-/// Counts the valid trees of a vertex: exactly where there are at most `most_listed` (and up to degree greatest_split_degree where facets share a
-/// plane), else from below. A vertex that needs no split has one. Errors as for preferred_split.
+/// Counts the valid trees of a vertex: exactly where there are at most `most_listed`, else from below. A vertex that needs no split has one. Errors
+/// as for preferred_split.
 template <kernel K>
 split_count count_splits(const K& k, const boundary& b, int vertex, std::uint64_t most_listed = 10'000) {
   const auto& v = b.vertices[static_cast<std::size_t>(vertex)];
