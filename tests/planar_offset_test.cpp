@@ -405,14 +405,7 @@ TEST_P(planar_offset_laws, area_is_continuous) {
   }
 }
 
-std::vector<std::pair<test::shape, test::weighting>> all_kinds() {
-  std::vector<std::pair<test::shape, test::weighting>> result;
-  for (const auto s : test::simple_shapes)
-    for (const auto w : test::weightings) result.emplace_back(s, w);
-  result.emplace_back(test::shape::touching, test::weighting::none);
-  return result;
-}
-INSTANTIATE_TEST_SUITE_P(all, planar_offset_laws, testing::ValuesIn(all_kinds()),
+INSTANTIATE_TEST_SUITE_P(all, planar_offset_laws, testing::ValuesIn(test::shapes_and_weightings()),
                          [](const auto& p) { return test::name_of(p.param.first) + "_" + test::name_of(p.param.second); });
 
 }  // namespace

@@ -132,6 +132,15 @@ inline constexpr std::array simple_shapes = {shape::general, shape::holes, shape
 enum class weighting : std::uint8_t { none, small, decimal, some_zero };
 inline constexpr std::array weightings = {weighting::none, weighting::small, weighting::decimal, weighting::some_zero};
 
+/// Parameters of tests that hold for all: touching polygons without weights only.
+inline std::vector<std::pair<shape, weighting>> shapes_and_weightings() {
+  std::vector<std::pair<shape, weighting>> result;
+  for (const auto s : simple_shapes)
+    for (const auto w : weightings) result.emplace_back(s, w);
+  result.emplace_back(shape::touching, weighting::none);
+  return result;
+}
+
 inline std::string name_of(shape s) {
   return std::array{"general", "holes", "coarse", "rectilinear", "symmetric", "touching"}[static_cast<std::size_t>(s)];
 }

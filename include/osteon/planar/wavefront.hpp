@@ -44,7 +44,7 @@ bool grows(const K& k, line_id of, line_id x) {
   return k.orientation(of, x) == sign::negative;
 }
 
-/// Whether the vertex turns left less than a half turn outwards: the polygon is the union, not the intersection, of two half-planes there.
+/// Whether the polygon is the union, not the intersection, of two half-planes at the vertex.
 template <planar_kernel K>
 bool is_reflex(const K& k, const wavefront& front, int v) {
   return k.orientation(front.line_before(v), front.line_after(v)) == sign::negative;

@@ -70,10 +70,10 @@ class motion {
     return {t - radius, t + radius};
   }
 
-  /// The same, but as sharp as doubles can say it. Slower.
+  /// The same within a thousandth, or nearly as sharp as doubles can say it; infinite where S is zero and the lines do not always meet. Slower.
   interval sharp_time(const triple& q) const {
     const interval rough = time(q);
-    if (rough.last - rough.first <= 0x1p-30 * std::abs(rough.first)) return rough;
+    if (rough.last - rough.first <= 0x1p-10 * std::abs(rough.first)) return rough;
     const auto cross_of = [&](int i, int j) {
       const auto& m = lines_[q[i]].n;
       const auto& n = lines_[q[j]].n;
@@ -86,7 +86,11 @@ class motion {
       d += l[r] * lines_[q[r]].d;
       size += abs(l[r]);
     }
-    for (unsigned precision = 128; precision <= 2048; precision *= 4) {
+    // S is an algebraic integer of degree 8 at most; what is below this bound is zero (as in locator::meeting).
+    int bits = bit_length(size) + 2;
+    for (const line_id i : q) bits += bit_length(lines_[i].weight) + bit_length(lines_[i].n[0]) + bit_length(lines_[i].n[1]);
+    const auto most = static_cast<unsigned>(8 * bits + 128);
+    for (unsigned precision = 128; precision <= 4 * most; precision *= 4) {
       integer s = 0;  // in units of 2^-precision; each root is less than one too small
       for (int r = 0; r < 3; ++r)
         s += l[r] * isqrt(inner_product(lines_[q[r]].n, lines_[q[r]].n) * lines_[q[r]].weight * lines_[q[r]].weight << 2 * precision);
