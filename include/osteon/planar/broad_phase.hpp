@@ -11,6 +11,8 @@
 #include <limits>
 #include <vector>
 
+#include "osteon/prefetch.hpp"
+
 namespace osteon::planar {
 
 /// A closed set of real numbers.
@@ -47,30 +49,66 @@ struct box {
   bool meets(const box& b) const { return low[0] <= b.high[0] && b.low[0] <= high[0] && low[1] <= b.high[1] && b.low[1] <= high[1]; }
 };
 
-/// Boxes of numbered things in a bucket tree: cells are halved along the axis that cuts fewer boxes (a bintree, Samet 1990). Expected logarithmic
-/// time for an insertion; a search visits the leaves that the box meets. Boxes are rounded outwards to a grid of 2^32 by 2^32, so that a leaf's fit
-/// into a few cache lines.
+/// How great the boxes of a tree are going to be, from some of them.
+struct box_sizes {
+  double count = 0;
+  std::array<double, 2> sides{};
+  double area = 0;
+
+  void add(const box& b) {
+    ++count;
+    for (int axis = 0; axis < 2; ++axis) sides[axis] += b.high[axis] - b.low[axis];
+    area += (b.high[0] - b.low[0]) * (b.high[1] - b.low[1]);
+  }
+  /// How many cells of this size their boxes meet, all together.
+  double cells(const std::array<double, 2>& cell) const { return count + sides[0] / cell[0] + sides[1] / cell[1] + area / (cell[0] * cell[1]); }
+};
+
+/// Boxes of numbered things in a grid of bucket trees: cells are halved along the axis that cuts fewer boxes (a bintree, Samet 1990). Expected
+/// logarithmic time for an insertion, constant where boxes are spread evenly; a search visits the leaves that the box meets. Boxes are rounded outwards
+/// to a grid of 2^32 by 2^32, so that a leaf's fit into a few cache lines.
 class box_tree {
  public:
-  /// Empties the tree. `frame`: where boxes will be, about; others are moved to its border. `expected`: how many boxes to come.
-  void clear(const box& frame, std::size_t expected) {
+  /// Empties the tree. `frame`: where boxes will be, about; others are moved to its border. `expected`: how many boxes to come, of the sizes of `sample`.
+  void clear(const box& frame, std::size_t expected, const box_sizes& sample) {
+    std::array<double, 2> cell{};
     for (int axis = 0; axis < 2; ++axis) {
       low_[axis] = frame.low[axis];
-      const double size = frame.high[axis] - frame.low[axis];
-      scale_[axis] = size > 0 ? 0x1p32 / size : 0;
+      cell[axis] = frame.high[axis] - frame.low[axis];
+      scale_[axis] = cell[axis] > 0 ? 0x1p32 / cell[axis] : 0;
     }
-    nodes_.assign(1, {});
+    bits_ = {0, 0};
+    while (std::ldexp(8, bits_[0] + bits_[1]) < static_cast<double>(expected)) {
+      std::array<double, 2> halved_first = {cell[0] / 2, cell[1]};
+      std::array<double, 2> halved_second = {cell[0], cell[1] / 2};
+      const int axis = sample.cells(halved_first) <= sample.cells(halved_second) ? 0 : 1;
+      cell[axis] /= 2;
+      if (!(sample.cells(cell) < 2 * sample.count) || bits_[axis] == 16) break;
+      ++bits_[axis];
+    }
+    nodes_.assign(std::size_t{1} << (bits_[0] + bits_[1]), {});
     blocks_.clear();
-    nodes_.reserve(expected / 4);
+    nodes_.reserve(nodes_.size() + expected / 4);
     blocks_.reserve(expected / 6);
   }
 
-  void insert(int id, const box& b) { insert(0, whole, rounded(b, id)); }
+  void insert(int id, const box& b) {
+    const entry e = rounded(b, id);
+    each_root(e, [&](int root, const cell& c) { insert(root, c, e); });
+  }
 
   /// Calls body(id) for each box that meets b; for one box perhaps several times.
   template <class Body>
   void search(const box& b, Body body) const {
-    search(0, whole, rounded(b, -1), body);
+    const entry e = rounded(b, -1);
+    each_root(e, [&](int root, const cell& c) { search(root, c, e, body); });
+  }
+
+  /// The neighbourhood of this box will be asked for soon.
+  void prefetch(const box& b) const {
+    if (nodes_.empty()) return;
+    const entry e = rounded(box::at({(b.low[0] + b.high[0]) / 2, (b.low[1] + b.high[1]) / 2}), -1);
+    each_root(e, [&](int root, const cell&) { osteon::prefetch(&nodes_[root]); });
   }
 
  private:
@@ -107,7 +145,16 @@ class box_tree {
       return c;
     }
   };
-  static constexpr cell whole = {{0, 0}, {32, 32}};
+  // Calls body(node, cell) for the cells of the grid that a box meets.
+  template <class Body>
+  void each_root(const entry& e, Body body) const {
+    const std::array<int, 2> shift = {32 - bits_[0], 32 - bits_[1]};
+    const auto index = [&](std::uint32_t x, int axis) { return static_cast<std::uint32_t>(std::uint64_t{x} >> shift[axis]); };
+    for (std::uint32_t i = index(e.low[0], 0); i <= index(e.high[0], 0); ++i)
+      for (std::uint32_t j = index(e.low[1], 1); j <= index(e.high[1], 1); ++j)
+        body(static_cast<int>(i << bits_[1] | j),
+             cell{{static_cast<std::uint32_t>(std::uint64_t{i} << shift[0]), static_cast<std::uint32_t>(std::uint64_t{j} << shift[1])}, shift});
+  }
 
   entry rounded(const box& b, int id) const {
     constexpr double most = 4294967295.0;
@@ -206,7 +253,8 @@ class box_tree {
 
   std::array<double, 2> low_{};
   std::array<double, 2> scale_{};
-  std::vector<node> nodes_;
+  std::array<int, 2> bits_{};  // of the numbers of cells
+  std::vector<node> nodes_;    // the grid's first
   std::vector<block> blocks_;
 };
 

@@ -22,6 +22,7 @@
 #include "osteon/planar/polygon.hpp"
 #include "osteon/planar/skeleton.hpp"
 #include "osteon/planar/wavefront.hpp"
+#include "osteon/prefetch.hpp"
 
 namespace osteon::planar {
 
@@ -36,6 +37,7 @@ concept motion_bounds = requires(const M& m, const triple& q, const triple* birt
   { m.place(q) } -> std::same_as<box>;
   { m.begin(a, a, birth) } -> std::same_as<typename M::path>;
   { m.swept(p, t, t) } -> std::same_as<box>;
+  m.prefetch(a);
 };
 
 struct options {
@@ -51,7 +53,7 @@ template <planar_kernel K, motion_bounds Motion>
 class propagation {
  public:
   propagation(const K& k, const outline& polygon, const Motion& motion, const options& o = {})
-      : k_(k), polygon_(polygon), motion_(motion), options_(o), order_(k, front_, polygon.lines), now_(k.start()), moment_(now_), queue_(k) {}
+      : k_(k), polygon_(polygon), motion_(motion), options_(o), now_(k.start()), moment_(now_), queue_(k) {}
 
   /// Runs to the end. Throws unsupported_error (a part of the wavefront stands still for ever), undecided_error or invariant_error.
   /// Cost: n log n in practice for n vertices; memory linear.
@@ -59,6 +61,7 @@ class propagation {
     if (!(motion_.speed() > 0)) never_vanishes(0);
     initialise();
     while (alive_ > 0) {
+      queue_.advance([this](const std::vector<int>& candidates) { warm(candidates); });
       if (window_.last < infinity) {
         if (queue_.empty() || !(queue_.top_time().last <= window_.last)) {
           if (window_.last >= options_.until) break;
@@ -79,13 +82,13 @@ class propagation {
         if (queue_.empty() && !settle()) break;
         if (queue_.empty()) continue;
       }
-      if (!fresh_.empty() && !same_moment(queue_.top()) && settle()) continue;
-      const meeting m = queue_.pop();
-      if (k_.compare(m, now_) != sign::positive) continue;
-      if (const auto found = read(m)) {
-        now_ = m;
+      if (!fresh_.empty() && !same_moment(queue_.top().when) && settle()) continue;
+      const candidate c = queue_.pop();
+      if (!is_current(c) || k_.compare(c.when, now_) != sign::positive) continue;
+      if (const auto found = read(c)) {
+        now_ = c.when;
         if constexpr (limit_kernel<K>)
-          if (k_.has_moment(m)) moment_ = m;
+          if (k_.has_moment(now_)) moment_ = now_;
         now_first_ = motion_.sharp_time(found->q).first;
         replace(*found);
       }
@@ -104,6 +107,7 @@ class propagation {
 
  private:
   using meeting = typename K::meeting;
+  using candidate = typename event_queue<K>::candidate;
   using cell = local::cell;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr interval never = {infinity, infinity};
@@ -113,7 +117,8 @@ class propagation {
     typename Motion::path path;
     box swept{};                                                    ///< what it sweeps in this window
     double known_until = -std::numeric_limits<double>::infinity();  ///< so far that reaches
-    line_id contact = -1;                                           ///< a line it meets that is in the queue
+    int contact = -1;                                               ///< an edge it hits, so the queue says
+    bool listed = false;                                            ///< among the reflex vertices
   };
 
   // What the wavefront looks like around a meeting point: the edge on every piece of the three lines, by label.
@@ -122,7 +127,7 @@ class propagation {
     cell small;
     const local::event* event;
     std::array<std::array<int, 8>, 3> edges;
-    meeting when;
+    std::array<std::array<bool, 3>, 3> grows;  ///< by two of the lines
   };
 
   [[noreturn]] static void never_vanishes(int edge) {
@@ -141,19 +146,24 @@ class propagation {
       if (lines[0] > lines[1]) std::swap(lines[0], lines[1]);
       result_.nodes.push_back({i, lines, event_class::edge});
       result_.faces.push_back(i);
-      front_.edges.push_back({polygon_.line[i], i, polygon_.next[i], i, true});
+      front_.edges.push_back({polygon_.line[i], i, polygon_.next[i], i, -1, -1, true});
       front_.vertices.push_back({previous[i], i, polygon_.line[previous[i]], polygon_.line[i], -1, true});
     }
     alive_ = n;
     straighten();
     for (int v = 0; v < n; ++v)
       if (front_.vertices[v].alive) begin_arc(v, v);
-    for (int e = 0; e < n; ++e)
-      if (front_.edges[e].alive) order_.add_unsorted(e);
-    order_.sort(polygon_.rank);
+    std::vector<int> ranked(n);
+    for (int e = 0; e < n; ++e) ranked[polygon_.rank[e]] = e;
+    int last = -1;
+    for (const int e : ranked) {
+      if (!front_.edges[e].alive) continue;
+      if (last >= 0 && front_.edges[last].line == front_.edges[e].line) front_.insert_after(last, e);
+      last = e;
+    }
     for (int v = 0; v < n; ++v) {
       tracks_.push_back({motion_.begin(front_.line_before(v), front_.line_after(v), nullptr)});
-      if (front_.vertices[v].alive && is_reflex(k_, front_, v)) reflex_.push_back(v);
+      if (front_.vertices[v].alive) list_reflex(v);
     }
     for (int e = 0; e < n; ++e) living_.push_back(e);
     collapse_.assign(n, never);
@@ -243,8 +253,17 @@ class propagation {
   // ---- windows and candidates
 
   bool reflex_left() {
-    std::erase_if(reflex_, [this](int v) { return !front_.vertices[v].alive; });
+    std::erase_if(reflex_, [this](int v) {
+      if (front_.vertices[v].alive && is_reflex(k_, front_, v)) return false;
+      tracks_[v].listed = false;
+      return true;
+    });
     return !reflex_.empty();
+  }
+  void list_reflex(int v) {
+    if (tracks_[v].listed || !is_reflex(k_, front_, v)) return;
+    tracks_[v].listed = true;
+    reflex_.push_back(v);
   }
 
   // Whether the wavefront is the outside of one convex polygon: then nothing meets any more.
@@ -263,23 +282,29 @@ class propagation {
   void open_window(double from) {
     std::erase_if(living_, [this](int e) { return !front_.edges[e].alive; });
     changes_ = 0;
+    queue_.restart();
     contacts_ = reflex_left() && !(options_.outside && surrounds());
     window_ = {from, contacts_ ? std::min(std::max(from, window_.last) + step_, options_.until) : options_.until};
     if (!(window_.last > window_.first)) window_.last = infinity;
     for (const int e : living_)
-      if (collapse_[e].first > queued_until_ && collapse_[e].first <= window_.last && !queue_collapse(lines_at(e), collapse_[e]))
+      if (collapse_[e].first > queued_until_ && collapse_[e].first <= window_.last && !queue_collapse(e, lines_at(e), collapse_[e]))
         collapse_[e] = never;
     queued_until_ = std::max(queued_until_, window_.last);
     if (!contacts_) return;
     box frame;
+    box_sizes edge_sizes;
+    box_sizes vertex_sizes;
     for (const int e : living_) {
       const int v = front_.edges[e].tail;
       tracks_[v].known_until = life(v);
       tracks_[v].swept = swept(v);
       frame.add(tracks_[v].swept);
     }
-    edge_boxes_.clear(frame, 3 * living_.size());
-    vertex_boxes_.clear(frame, 3 * reflex_.size());
+    constexpr std::size_t every = 8;
+    for (std::size_t i = 0; i < living_.size(); i += every) boxes_of_edge(living_[i], [&](const box& b) { edge_sizes.add(b); });
+    for (std::size_t i = 0; i < reflex_.size(); i += every) vertex_sizes.add(tracks_[reflex_[i]].swept);
+    edge_boxes_.clear(frame, 2 * living_.size(), edge_sizes);
+    vertex_boxes_.clear(frame, 2 * reflex_.size(), vertex_sizes);
     for (const int e : living_) insert_edge(e);
     for (const int v : reflex_) {
       insert_vertex(v);
@@ -355,7 +380,7 @@ class propagation {
     const line_id a = front_.line_before(v);
     const line_id b = front_.line_after(v);
     const line_id c = front_.edges[e].line;
-    if (a == c || b == c || tracks_[v].contact == c) return;
+    if (a == c || b == c || tracks_[v].contact == e) return;
     const triple q = sorted({a, b, c});
     const interval when = motion_.time(q);
     const double until = std::min({tracks_[v].known_until, tracks_[front_.edges[e].tail].known_until, tracks_[front_.edges[e].head].known_until});
@@ -367,8 +392,8 @@ class propagation {
     if (!contains(e, x, a, b, *m)) return;
     const interval sharp = motion_.sharp_time(q);
     if (!(sharp.first < infinity)) return;
-    queue_.push(*m, sharp);
-    tracks_[v].contact = c;
+    queue_.push({*m, e, v}, sharp);
+    tracks_[v].contact = e;
   }
 
   // Whether the point where the edge's line meets lines a and b lies on the edge; x is the one of these to be asked.
@@ -387,18 +412,66 @@ class propagation {
     const interval when = motion_.sharp_time(q);
     if (when.last < now_first_ || !(when.first < infinity)) return;
     collapse_[e] = when;
-    if (when.first <= queued_until_ && !queue_collapse(q, when)) collapse_[e] = never;
+    if (when.first <= queued_until_ && !queue_collapse(e, q, when)) collapse_[e] = never;
   }
 
   // Whether three lines still meet. Collapses beyond all windows so far wait: most edges have changed by then.
-  bool queue_collapse(const triple& q, const interval& when) {
+  bool queue_collapse(int e, const triple& q, const interval& when) {
     const auto m = k_.meet(q);
     if (!m || k_.compare(*m, now_) != sign::positive) return false;
-    queue_.push(*m, when);
+    queue_.push({*m, e, -1}, when);
     return true;
   }
 
   // ---- events
+
+  // Brings near what the handling of these candidates will ask for, stage by stage: at each, all wait together.
+  void warm(const std::vector<int>& candidates) {
+    const auto each_edge = [&](auto body) {
+      for (const int id : candidates) body(queue_.at(id).edge);
+    };
+    const auto each_vertex = [&](auto body) {
+      for (const int id : candidates) {
+        const candidate& c = queue_.at(id);
+        body(front_.edges[c.edge].tail);
+        body(front_.edges[c.edge].head);
+        if (c.vertex >= 0) body(c.vertex);
+      }
+    };
+    each_edge([this](int e) {
+      prefetch(&front_.edges[e]);
+      prefetch(&collapse_[e]);
+    });
+    each_vertex([this](int v) {
+      prefetch(&front_.vertices[v]);
+      prefetch(&tracks_[v]);
+      prefetch(&tracks_[v].swept);
+    });
+    each_edge([this](int e) { prefetch_line(front_.edges[e].line); });
+    each_vertex([this](int v) {
+      const auto& vertex = front_.vertices[v];
+      prefetch(&result_.arcs[vertex.arc]);
+      prefetch_line(vertex.before);
+      prefetch_line(vertex.after);
+      for (const int e : {vertex.in, vertex.out}) {
+        prefetch(&front_.edges[e]);
+        prefetch(&collapse_[e]);
+      }
+    });
+    each_vertex([this](int v) {
+      for (const int u : {front_.edges[front_.vertices[v].in].tail, front_.edges[front_.vertices[v].out].head}) {
+        prefetch(&front_.vertices[u]);
+        prefetch(&tracks_[u]);
+        prefetch(&tracks_[u].swept);
+      }
+      edge_boxes_.prefetch(tracks_[v].swept);
+      vertex_boxes_.prefetch(tracks_[v].swept);
+    });
+  }
+  void prefetch_line(line_id l) const {
+    if constexpr (requires { k_.prefetch(l); }) k_.prefetch(l);
+    motion_.prefetch(l);
+  }
 
   // Sign of lambda_r of an ascending triple.
   sign lambda(const triple& q, unsigned r) const {
@@ -408,41 +481,69 @@ class propagation {
 
   static std::array<unsigned, 2> others(unsigned r) { return {r == 0 ? 1U : 0U, r == 2 ? 1U : 2U}; }
 
-  std::optional<neighbourhood> read(const meeting& m) const {
-    neighbourhood n{k_.planes(m), 0, nullptr, {}, m};
-    for (auto& by_label : n.edges) by_label.fill(-1);
-    for (unsigned r = 0; r < 3; ++r)
-      if (lambda(n.q, r) == k_.closing(m)) n.small |= 1U << r;
-    local::view seen = 0;
+  // Whether edges and vertices have the lines that they had.
+  bool is_current(const candidate& c) const {
+    if (!front_.edges[c.edge].alive || (c.vertex >= 0 && !front_.vertices[c.vertex].alive)) return false;
+    const triple q = c.vertex < 0 ? lines_at(c.edge) : sorted({front_.line_before(c.vertex), front_.line_after(c.vertex), front_.edges[c.edge].line});
+    return q == triple(k_.planes(c.when));
+  }
+
+  // What the wavefront looks like where and when lines of it meet; nothing where that is beside the edge.
+  std::optional<neighbourhood> read(const candidate& c) const {
+    const meeting& m = c.when;
+    neighbourhood n{k_.planes(m), 0, nullptr, {}, {}};
+    const std::array<sign, 3> turns = {k_.orientation(n.q[1], n.q[2]), -k_.orientation(n.q[0], n.q[2]), k_.orientation(n.q[0], n.q[1])};
     for (unsigned r = 0; r < 3; ++r) {
-      const auto [j, k] = others(r);
-      const line_id line = n.q[r];
-      const line_id x = k_.transversal(line, n.q[j]) ? n.q[j] : n.q[k];
-      bool any = false;
-      const std::array<unsigned, 2> two = {j, k};
-      order_.near(line, x, m, [&](int e) {
-        if (!contains(e, x, n.q[two[0]], n.q[two[1]], m)) return;
-        const line_id t = front_.line_before(front_.edges[e].tail);
-        const line_id h = front_.line_after(front_.edges[e].head);
-        for (cell label = 0; label < 8; ++label) {
-          if ((label >> r & 1U) != 0 || label == local::segment_label(n.small, r, true)) continue;
-          bool covers = true;
-          for (const unsigned o : two) {
-            const bool inside = (label >> o & 1U) != 0;
-            if (t == n.q[o]) covers = covers && inside == grows(k_, line, t);
-            if (h == n.q[o]) covers = covers && inside != grows(k_, line, h);
-          }
-          if (!covers) continue;
-          n.edges[r][label] = e;
-          seen |= local::piece_bit(r, label);
-          any = true;
-        }
-      });
-      if (!any) return std::nullopt;
+      n.edges[r].fill(-1);
+      if (turns[r] == k_.closing(m)) n.small |= 1U << r;
+      for (const unsigned o : others(r)) n.grows[r][o] = (o == (r + 1) % 3) == (turns[3 - r - o] == sign::negative);
+    }
+    const auto& e = front_.edges[c.edge];
+    if (c.vertex >= 0) {
+      const line_id a = front_.line_before(c.vertex);
+      const line_id b = front_.line_after(c.vertex);
+      if (!contains(c.edge, k_.transversal(e.line, a) ? a : b, a, b, m)) return std::nullopt;
+    }
+    const int before = front_.vertices[c.vertex >= 0 ? c.vertex : e.tail].in;
+    const int after = front_.vertices[c.vertex >= 0 ? c.vertex : e.head].out;
+    local::view seen = 0;
+    for (const int f : {c.edge, before, after}) {
+      unsigned r = 0;
+      while (n.q[r] != front_.edges[f].line) ++r;
+      const local::view own = see(n, r, f);
+      if (own == 0) return std::nullopt;
+      seen |= own;
+      // Another edge on the line reaches the point only with an end on one of the other two lines.
+      for (int g = front_.edges[f].previous; g >= 0 && is_other(n, r, front_.line_after(front_.edges[g].head)); g = front_.edges[g].previous)
+        seen |= see(n, r, g);
+      for (int g = front_.edges[f].next; g >= 0 && is_other(n, r, front_.line_before(front_.edges[g].tail)); g = front_.edges[g].next)
+        seen |= see(n, r, g);
     }
     n.event = local::find(n.small, seen);
     if (n.event == nullptr) return std::nullopt;
     return n;
+  }
+
+  // Whether a line is one of the two that are not line r.
+  static bool is_other(const neighbourhood& n, unsigned r, line_id l) { return l != n.q[r] && std::find(n.q.begin(), n.q.end(), l) != n.q.end(); }
+
+  // Notes the pieces of line r that an edge covers.
+  local::view see(neighbourhood& n, unsigned r, int e) const {
+    const line_id t = front_.line_before(front_.edges[e].tail);
+    const line_id h = front_.line_after(front_.edges[e].head);
+    cell never_in = 1U << r;  // sides of the lines where it is not
+    cell always_in = 0;
+    for (const unsigned o : others(r)) {
+      if (t == n.q[o]) (n.grows[r][o] ? always_in : never_in) |= 1U << o;
+      if (h == n.q[o]) (n.grows[r][o] ? never_in : always_in) |= 1U << o;
+    }
+    local::view seen = 0;
+    for (cell label = 0; label < 8; ++label) {
+      if ((label & never_in) != 0 || (always_in & ~label) != 0 || label == local::segment_label(n.small, r, true)) continue;
+      n.edges[r][label] = e;
+      seen |= local::piece_bit(r, label);
+    }
+    return seen;
   }
 
   // A corner of two of the three lines after the event: the edge that ends there and the one that starts.
@@ -535,17 +636,13 @@ class propagation {
     const int node = static_cast<int>(result_.nodes.size());
     result_.nodes.push_back({-1, lines, event_class::edge, true});
     ++result_.events[0];
-    const line_id x = front_.edges[joined.in].line;
-    erase_edge(e, k_.transversal(x, front_.edges[e].line) ? x : front_.edges[joined.out].line, now_);
-    const auto end = [&](int v) {
-      front_.vertices[v].alive = false;
-      result_.arcs[front_.vertices[v].arc].target = node;
-    };
+    erase_edge(e);
+    const auto end = [&](int v) { end_vertex(v, node); };
     end(tail);
     end(head);
     if (front_.edges[joined.in].tail == front_.edges[joined.out].head) {  // nothing is left of the ring
       end(front_.edges[joined.in].tail);
-      for (const int last : {joined.in, joined.out}) erase_edge(last, front_.edges[last == joined.in ? joined.out : joined.in].line, now_);
+      for (const int last : {joined.in, joined.out}) erase_edge(last);
       return;
     }
     add_vertex(joined, lines, node);
@@ -575,8 +672,12 @@ class propagation {
     auto& vertex = front_.vertices[v];
     const auto meets = [&](line_id l) { return std::find(n.q.begin(), n.q.end(), l) != n.q.end(); };
     if (!vertex.alive || !meets(front_.line_before(v)) || !meets(front_.line_after(v))) return;
-    vertex.alive = false;
-    result_.arcs[vertex.arc].target = node;
+    end_vertex(v, node);
+  }
+  void end_vertex(int v, int node) {
+    front_.vertices[v].alive = false;
+    result_.arcs[front_.vertices[v].arc].target = node;
+    free_.push_back(v);
   }
 
   // The pieces of line r after the event: its first ray, the segment and its last ray, in the direction of the line, and the corners between them.
@@ -584,7 +685,7 @@ class propagation {
   int relink(const neighbourhood& n, unsigned r, std::array<corner, 3>& corners) {
     const line_id line = n.q[r];
     const auto [j, k] = others(r);
-    const cell last = (grows(k_, line, n.q[j]) ? 1U << j : 0U) | (grows(k_, line, n.q[k]) ? 1U << k : 0U);
+    const cell last = (n.grows[r][j] ? 1U << j : 0U) | (n.grows[r][k] ? 1U << k : 0U);
     const cell first = last ^ (1U << j | 1U << k);
     const cell segment = local::segment_label(n.small, r, true);
     // The corner between the first ray and the segment is where the cell changes its bit.
@@ -597,11 +698,10 @@ class propagation {
     int f = n.edges[r][last];
     const int middle = n.edges[r][local::segment_label(n.small, r, false)];
     if ((through_first && e < 0) || (through_last && f < 0)) broken_invariant<K>("rays stay what they are in an event");
-    const line_id x = k_.transversal(line, n.q[j]) ? n.q[j] : n.q[k];
     const bool middle_dies = middle >= 0 && middle != e && middle != f;
     const bool joins = through_first && through_last && through_segment && e != f;
-    if (middle_dies) erase_edge(middle, x, n.when);
-    if (joins) erase_edge(f, x, n.when);
+    if (middle_dies) erase_edge(middle);
+    if (joins) erase_edge(f);
     if (joins) {  // two edges of a line become one
       front_.edges[e].head = front_.edges[f].head;
       front_.vertices[front_.edges[f].head].in = e;
@@ -609,8 +709,8 @@ class propagation {
     }
     if (through_first && through_last && !through_segment && e == f) {  // cut in two
       f = static_cast<int>(front_.edges.size());
-      front_.edges.push_back({line, -1, front_.edges[e].head, front_.edges[e].face, true});
-      order_.insert_after(e, f, x, n.when);
+      front_.edges.push_back({line, -1, front_.edges[e].head, front_.edges[e].face, -1, -1, true});
+      front_.insert_after(e, f);
       front_.vertices[front_.edges[e].head].in = f;
       collapse_.push_back(never);
       living_.push_back(f);
@@ -622,21 +722,26 @@ class propagation {
     return joins ? e : -1;
   }
 
-  void erase_edge(int e, line_id x, const meeting& m) {
-    order_.erase(e, x, m);
-    front_.edges[e].alive = false;
+  void erase_edge(int e) {
+    front_.erase(e);
     --alive_;
   }
 
-  int add_vertex(const corner& c, const triple& birth, int node) {
-    const int v = static_cast<int>(front_.vertices.size());
-    front_.vertices.push_back({c.in, c.out, front_.edges[c.in].line, front_.edges[c.out].line, -1, true});
+  // In the place of one that has ended: what is near in the plane stays near in memory.
+  void add_vertex(const corner& c, const triple& birth, int node) {
+    if (free_.empty()) {
+      free_.push_back(static_cast<int>(front_.vertices.size()));
+      front_.vertices.emplace_back();
+      tracks_.emplace_back();
+    }
+    const int v = free_.back();
+    free_.pop_back();
+    front_.vertices[v] = {c.in, c.out, front_.edges[c.in].line, front_.edges[c.out].line, -1, true};
     front_.edges[c.in].head = v;
     front_.edges[c.out].tail = v;
     begin_arc(v, node);
-    tracks_.push_back({motion_.begin(front_.edges[c.in].line, front_.edges[c.out].line, &birth)});
-    if (is_reflex(k_, front_, v)) reflex_.push_back(v);
-    return v;
+    tracks_[v] = {.path = motion_.begin(front_.edges[c.in].line, front_.edges[c.out].line, &birth), .listed = tracks_[v].listed};
+    list_reflex(v);
   }
 
   // These edges, vertices that live longer than was known, and the edges at them, are looked at anew.
@@ -677,14 +782,14 @@ class propagation {
   const Motion& motion_;
   const options options_;
   wavefront front_;
-  edge_order<K> order_;
   meeting now_;
   meeting moment_;  // the last one that has a moment in the limit
   event_queue<K> queue_;
   skeleton result_;
   int alive_ = 0;
   std::vector<int> living_;  // edges, some of them dead
-  std::vector<int> reflex_;  // vertices, some of them dead
+  std::vector<int> reflex_;  // vertices, some of them dead or convex by now
+  std::vector<int> free_;    // dead vertices
 
   interval window_{0, 0};
   double now_first_ = 0;             // the present moment is not earlier

@@ -15,6 +15,7 @@
 
 #include "osteon/kernel/direct.hpp"
 #include "osteon/kernel/estimate.hpp"
+#include "osteon/prefetch.hpp"
 
 namespace osteon {
 
@@ -53,6 +54,8 @@ class filtered {
   const K& base() const { return exact_; }
 
   plane_id size() const { return exact_.size(); }
+  /// This plane will be asked about soon.
+  void prefetch(plane_id a) const { osteon::prefetch(&fast_.arithmetic().plane(a)); }
   bool has_unit_speeds() const requires requires(const K& k) { k.has_unit_speeds(); }
   { return exact_.has_unit_speeds(); }
   template <std::same_as<plane_id>... Planes>
@@ -62,7 +65,8 @@ class filtered {
   requires(sizeof...(Planes) == dimension) bool transversal(Planes... of) const { return orientation(of...) != sign::zero; }
 
   meeting meeting_of(const support& q) const {
-    meeting m = estimated(ascending(q));
+    const support sorted = ascending(q);
+    meeting m = estimated(sorted, fast_.lambda(0, sorted));
     refine(m);
     bound_time(m);
     const auto s = m.speed.certain_sign();
@@ -106,7 +110,7 @@ class filtered {
     return s ? *s : exact_.closing_at(grade, q);
   }
   sign cross_at(int grade, const support& q, const support& r) const {
-    const auto s = fast_.cross_at(grade, q, r);
+    const auto s = coefficient(grade, q, r).certain_sign();
     return s ? *s : exact_.cross_at(grade, q, r);
   }
 
@@ -117,10 +121,12 @@ class filtered {
   sign side_of(const support& q, const meeting& m) const {
     corner c{};
     std::copy_n(q.begin(), dimension, c.begin());
-    const sign turn = orientation_at(0, c);
+    const auto lambda = fast_.lambda(0, q);
+    const auto known = lambda[dimension].certain_sign();  // the corner's orientation
+    const sign turn = known ? *known : exact_.orientation_at(0, c);
     if (turn == sign::zero) return sign::zero;
     if (m.planes == start_planes) return -closing_at(0, q) * turn;
-    meeting other = estimated(q);
+    meeting other = estimated(q, lambda);
     if (const auto s = quick_cross(other, m)) return *s * m.closing * turn;
     if constexpr (requires { exact_.rough_side(q.back(), m.planes); })
       if (std::all_of(c.begin(), c.end(), [&m](plane_id p) { return std::find(m.planes.begin(), m.planes.end(), p) != m.planes.end(); }))
@@ -129,11 +135,40 @@ class filtered {
     return cross(other, m) * m.closing * turn;
   }
 
+  using lambdas = std::array<estimate, dimension + 1>;
+
+  // The coefficient of e^grade in D(q) S(r) - D(r) S(q), as in forms.hpp, but of rounded D and S.
+  estimate coefficient(int grade, const support& q, const support& r) const {
+    struct form {
+      std::array<estimate, 2 * dimension + 2> offset;  // by grade
+      std::array<estimate, dimension + 1> speed;       // by half of the grade
+    };
+    const auto form_of = [&](const support& planes) {
+      const auto& a = fast_.arithmetic();
+      form f;
+      for (int m = 0; m <= std::min(grade / 2, dimension); ++m) {
+        const lambdas l = fast_.lambda(m, planes);
+        f.offset[2 * m] = f.offset[2 * m + 1] = f.speed[m] = estimate(0);
+        for (int i = 0; i <= dimension; ++i) {
+          f.offset[2 * m] = f.offset[2 * m] + l[i] * a.d(planes[i]);
+          f.offset[2 * m + 1] = f.offset[2 * m + 1] + l[i] * a.delta(planes[i]);
+          f.speed[m] = f.speed[m] + l[i] * a.speed(planes[i]);
+        }
+      }
+      return f;
+    };
+    const form f = form_of(q);
+    const form g = form_of(r);
+    estimate sum(0);
+    for (int m = 0; m <= std::min(grade / 2, dimension); ++m)
+      if (const int rest = grade - 2 * m; rest <= 2 * dimension + 1) sum = sum + f.offset[rest] * g.speed[m] - g.offset[rest] * f.speed[m];
+    return sum;
+  }
+
   // D and S; the sign of S and the time's interval still open.
-  meeting estimated(const support& q) const {
+  meeting estimated(const support& q, const lambdas& lambda) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto& a = fast_.arithmetic();
-    const auto lambda = fast_.lambda(0, q);
     meeting m{q, sign::zero, estimate(0), estimate(0), -infinity, infinity};
     for (int r = 0; r <= dimension; ++r) {
       m.offset = m.offset + lambda[r] * a.d(q[r]);

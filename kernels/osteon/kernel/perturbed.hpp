@@ -40,6 +40,8 @@ class perturbed {
   const K& base() const { return k_; }
 
   plane_id size() const { return k_.size(); }
+  void prefetch(plane_id a) const requires requires(const K& k) { k.prefetch(a); }
+  { k_.prefetch(a); }
   bool has_unit_speeds() const requires requires(const K& k) { k.has_unit_speeds(); }
   { return k_.has_unit_speeds(); }
   template <std::same_as<plane_id>... Planes>
@@ -120,7 +122,9 @@ class perturbed {
     if (std::find(r.begin(), r.end(), q.back()) != r.end() && ascending(q) == r) return sign::zero;
     if (m.regular)
       if (const sign s = unperturbed(); s != sign::zero) return s;
-    return leading([&](int g) { return k_.cross_at(g, q, r); }, 0).value * m.closing * orientation_of(c);
+    const leading_sign turn = leading([&](int g) { return k_.orientation_at(g, c); }, 0);
+    const int first = m.regular && turn.grade == 0 ? 1 : 0;  // what is zero is the corner's place, not its orientation
+    return leading([&](int g) { return k_.cross_at(g, q, r); }, first).value * m.closing * turn.value;
   }
 
   // A coefficient of e^grade contains grade / 2 tilts.
