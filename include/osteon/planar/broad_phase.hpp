@@ -49,66 +49,42 @@ struct box {
   bool meets(const box& b) const { return low[0] <= b.high[0] && b.low[0] <= high[0] && low[1] <= b.high[1] && b.low[1] <= high[1]; }
 };
 
-/// How great the boxes of a tree are going to be, from some of them.
-struct box_sizes {
-  double count = 0;
-  std::array<double, 2> sides{};
-  double area = 0;
-
-  void add(const box& b) {
-    ++count;
-    for (int axis = 0; axis < 2; ++axis) sides[axis] += b.high[axis] - b.low[axis];
-    area += (b.high[0] - b.low[0]) * (b.high[1] - b.low[1]);
-  }
-  /// How many cells of this size their boxes meet, all together.
-  double cells(const std::array<double, 2>& cell) const { return count + sides[0] / cell[0] + sides[1] / cell[1] + area / (cell[0] * cell[1]); }
-};
-
-/// Boxes of numbered things in a grid of bucket trees: cells are halved along the axis that cuts fewer boxes (a bintree, Samet 1990). Expected
-/// logarithmic time for an insertion, constant where boxes are spread evenly; a search visits the leaves that the box meets. Boxes are rounded outwards
-/// to a grid of 2^32 by 2^32, so that a leaf's fit into a few cache lines.
+/// Boxes of numbered things in a tree of grids: a cell with too many boxes is cut into so many parts, along one axis or both, that few boxes are in each
+/// and few in several. Expected constant time for an insertion where boxes are spread evenly, logarithmic otherwise; a search visits the leaves that the
+/// box meets. Boxes are rounded outwards to a grid of 2^32 by 2^32, so that a leaf's fit into a few cache lines.
 class box_tree {
  public:
-  /// Empties the tree. `frame`: where boxes will be, about; others are moved to its border. `expected`: how many boxes to come, of the sizes of `sample`.
-  void clear(const box& frame, std::size_t expected, const box_sizes& sample) {
-    std::array<double, 2> cell{};
+  /// Empties the tree. `frame`: where boxes will be, about; others are moved to its border.
+  void clear(const box& frame) {
     for (int axis = 0; axis < 2; ++axis) {
       low_[axis] = frame.low[axis];
-      cell[axis] = frame.high[axis] - frame.low[axis];
-      scale_[axis] = cell[axis] > 0 ? 0x1p32 / cell[axis] : 0;
+      const double size = frame.high[axis] - frame.low[axis];
+      scale_[axis] = size > 0 ? 0x1p32 / size : 0;
     }
-    bits_ = {0, 0};
-    while (std::ldexp(8, bits_[0] + bits_[1]) < static_cast<double>(expected)) {
-      std::array<double, 2> halved_first = {cell[0] / 2, cell[1]};
-      std::array<double, 2> halved_second = {cell[0], cell[1] / 2};
-      const int axis = sample.cells(halved_first) <= sample.cells(halved_second) ? 0 : 1;
-      cell[axis] /= 2;
-      if (!(sample.cells(cell) < 2 * sample.count) || bits_[axis] == 16) break;
-      ++bits_[axis];
-    }
-    nodes_.assign(std::size_t{1} << (bits_[0] + bits_[1]), {});
+    nodes_.assign(1, {});
     blocks_.clear();
-    nodes_.reserve(nodes_.size() + expected / 4);
-    blocks_.reserve(expected / 6);
   }
 
-  void insert(int id, const box& b) {
-    const entry e = rounded(b, id);
-    each_root(e, [&](int root, const cell& c) { insert(root, c, e); });
+  /// One of many, to be followed by build().
+  void add(int id, const box& b) { add(0, rounded(b, id)); }
+  /// Makes a tree of what was added. Cost: a few passes over it.
+  void build() {
+    if (nodes_[0].count > nodes_[0].limit) split(0, whole);
   }
+
+  void insert(int id, const box& b) { insert(0, whole, rounded(b, id)); }
 
   /// Calls body(id) for each box that meets b; for one box perhaps several times.
   template <class Body>
   void search(const box& b, Body body) const {
-    const entry e = rounded(b, -1);
-    each_root(e, [&](int root, const cell& c) { search(root, c, e, body); });
+    search(0, whole, rounded(b, -1), body);
   }
 
   /// The neighbourhood of this box will be asked for soon.
   void prefetch(const box& b) const {
-    if (nodes_.empty()) return;
-    const entry e = rounded(box::at({(b.low[0] + b.high[0]) / 2, (b.low[1] + b.high[1]) / 2}), -1);
-    each_root(e, [&](int root, const cell&) { osteon::prefetch(&nodes_[root]); });
+    if (nodes_.empty() || nodes_[0].child < 0) return;
+    each_part(0, whole, rounded(box::at({(b.low[0] + b.high[0]) / 2, (b.low[1] + b.high[1]) / 2}), -1),
+              [&](int child, const cell&) { osteon::prefetch(&nodes_[child]); });
   }
 
  private:
@@ -119,42 +95,25 @@ class box_tree {
 
     bool meets(const entry& e) const { return low[0] <= e.high[0] && e.low[0] <= high[0] && low[1] <= e.high[1] && e.low[1] <= high[1]; }
   };
-  static constexpr int bucket = 12;
+  static constexpr int room = 6;
   struct block {
-    std::array<entry, bucket> entries;
     int count;
     int next;
+    std::array<entry, room> entries;
   };
   struct node {
-    int child = -1;      ///< the first of two, or -1
-    int first = -1;      ///< block
-    int count = 0;       ///< of boxes
-    int limit = bucket;  ///< with more it is cut
-    int axis = 0;
+    int child = -1;          ///< the first of its parts, or -1
+    int first = -1;          ///< block
+    int count = 0;           ///< of boxes
+    int limit = 6 * room;    ///< with more it is cut
+    std::array<int, 2> bits{};  ///< of the numbers of parts on each axis
   };
   // Numbers from low to low + 2^bits on each axis.
   struct cell {
     std::array<std::uint32_t, 2> low;
     std::array<int, 2> bits;
-
-    std::uint32_t middle(int axis) const { return low[axis] + (std::uint32_t{1} << (bits[axis] - 1)); }
-    cell half(int axis, int which) const {
-      cell c = *this;
-      if (which == 1) c.low[axis] = middle(axis);
-      --c.bits[axis];
-      return c;
-    }
   };
-  // Calls body(node, cell) for the cells of the grid that a box meets.
-  template <class Body>
-  void each_root(const entry& e, Body body) const {
-    const std::array<int, 2> shift = {32 - bits_[0], 32 - bits_[1]};
-    const auto index = [&](std::uint32_t x, int axis) { return static_cast<std::uint32_t>(std::uint64_t{x} >> shift[axis]); };
-    for (std::uint32_t i = index(e.low[0], 0); i <= index(e.high[0], 0); ++i)
-      for (std::uint32_t j = index(e.low[1], 1); j <= index(e.high[1], 1); ++j)
-        body(static_cast<int>(i << bits_[1] | j),
-             cell{{static_cast<std::uint32_t>(std::uint64_t{i} << shift[0]), static_cast<std::uint32_t>(std::uint64_t{j} << shift[1])}, shift});
-  }
+  static constexpr cell whole = {{0, 0}, {32, 32}};
 
   entry rounded(const box& b, int id) const {
     constexpr double most = 4294967295.0;
@@ -167,15 +126,32 @@ class box_tree {
     return e;
   }
 
-  void insert(int at, cell c, const entry& e) {
-    while (nodes_[at].child >= 0) {
-      const int axis = nodes_[at].axis;
-      const int child = nodes_[at].child;
-      const std::uint32_t cut = c.middle(axis);
-      if (e.low[axis] < cut && e.high[axis] >= cut) insert(child, c.half(axis, 0), e);
-      const int which = e.high[axis] < cut ? 0 : 1;
-      c = c.half(axis, which);
-      at = child + which;
+  // Calls body(part, its cell) for the parts of a cell that a box meets.
+  template <class Body>
+  void each_part(int at, const cell& c, const entry& e, Body body) const {
+    const node& n = nodes_[at];
+    std::array<std::uint32_t, 2> from{};
+    std::array<std::uint32_t, 2> to{};
+    std::array<int, 2> shift{};
+    for (int axis = 0; axis < 2; ++axis) {
+      shift[axis] = c.bits[axis] - n.bits[axis];
+      const std::uint32_t last = c.low[axis] + static_cast<std::uint32_t>((std::uint64_t{1} << c.bits[axis]) - 1);
+      from[axis] = static_cast<std::uint32_t>(std::uint64_t{std::clamp(e.low[axis], c.low[axis], last) - c.low[axis]} >> shift[axis]);
+      to[axis] = static_cast<std::uint32_t>(std::uint64_t{std::clamp(e.high[axis], c.low[axis], last) - c.low[axis]} >> shift[axis]);
+    }
+    const int child = n.child;
+    const int row = n.bits[1];
+    for (std::uint32_t i = from[0]; i <= to[0]; ++i)
+      for (std::uint32_t j = from[1]; j <= to[1]; ++j)
+        body(child + static_cast<int>(i << row | j), cell{{c.low[0] + static_cast<std::uint32_t>(std::uint64_t{i} << shift[0]),
+                                                           c.low[1] + static_cast<std::uint32_t>(std::uint64_t{j} << shift[1])},
+                                                          shift});
+  }
+
+  void insert(int at, const cell& c, const entry& e) {
+    if (nodes_[at].child >= 0) {
+      each_part(at, c, e, [&](int child, const cell& part) { insert(child, part, e); });
+      return;
     }
     add(at, e);
     if (nodes_[at].count > nodes_[at].limit) split(at, c);
@@ -183,7 +159,7 @@ class box_tree {
 
   void add(int at, const entry& e) {
     int first = nodes_[at].first;
-    if (first < 0 || blocks_[first].count == bucket) {
+    if (first < 0 || blocks_[first].count == room) {
       blocks_.emplace_back();
       blocks_.back().count = 0;
       blocks_.back().next = first;
@@ -200,19 +176,40 @@ class box_tree {
       for (int i = 0; i < blocks_[b].count; ++i) body(blocks_[b].entries[i]);
   }
 
-  // Halves a leaf, unless its boxes are so great that many would be in both halves.
-  void split(int at, const cell& c) {
-    std::array<int, 2> cuts = {0, 0};
-    for (int axis = 0; axis < 2; ++axis) {
-      if (c.bits[axis] == 0) {
-        cuts[axis] = nodes_[at].count;
-        continue;
+  // Into how many parts a leaf is to be cut: 2^bits on each axis; none where its boxes are so great that many would be in several.
+  std::array<int, 2> parts(int at, const cell& c) const {
+    const double count = nodes_[at].count;
+    std::array<double, 2> sides{};
+    double area = 0;
+    visit(at, [&](const entry& e) {
+      std::array<double, 2> side{};  // in the cell, which is 1 by 1
+      for (int axis = 0; axis < 2; ++axis) {
+        const double size = std::ldexp(1, c.bits[axis]);
+        const double low = std::max(0.0, static_cast<double>(e.low[axis]) - c.low[axis]);
+        const double high = std::min(size, static_cast<double>(e.high[axis]) + 1 - c.low[axis]);
+        side[axis] = (high - low) / size;
+        sides[axis] += side[axis];
       }
-      const std::uint32_t cut = c.middle(axis);
-      visit(at, [&](const entry& e) { cuts[axis] += e.low[axis] < cut && e.high[axis] >= cut ? 1 : 0; });
+      area += side[0] * side[1];
+    });
+    // How many parts their boxes meet, all together, where a side is cut into so many; the expected number for boxes at random.
+    const auto met = [&](double m, double n) { return count + sides[0] * (m - 1) + sides[1] * (n - 1) + area * (m - 1) * (n - 1); };
+    std::array<int, 2> bits{};
+    while (std::ldexp(2 * room, bits[0] + bits[1]) < count && bits[0] + bits[1] < 20) {
+      const double m = std::ldexp(1, bits[0]);
+      const double n = std::ldexp(1, bits[1]);
+      const double first = bits[0] < c.bits[0] ? met(2 * m, n) : 4 * count;
+      const double second = bits[1] < c.bits[1] ? met(m, 2 * n) : 4 * count;
+      if (!(std::min(first, second) < 1.25 * count)) break;
+      ++bits[first <= second ? 0 : 1];
     }
-    const int axis = cuts[0] != cuts[1] ? (cuts[0] < cuts[1] ? 0 : 1) : (c.bits[0] >= c.bits[1] ? 0 : 1);
-    if (3 * cuts[axis] > nodes_[at].count) {
+    return bits;
+  }
+
+  // Cuts a leaf.
+  void split(int at, const cell& c) {
+    const std::array<int, 2> bits = parts(at, c);
+    if (bits[0] + bits[1] == 0) {
       nodes_[at].limit = 2 * nodes_[at].count;  // ask again then
       return;
     }
@@ -220,41 +217,36 @@ class box_tree {
     all.reserve(nodes_[at].count);
     visit(at, [&](const entry& e) { all.push_back(e); });
     const int child = static_cast<int>(nodes_.size());
-    const int freed = nodes_[at].first;
-    nodes_[at] = {child, -1, 0, 0, axis};
-    nodes_.resize(nodes_.size() + 2);
-    blocks_[freed].count = 0;  // the first half goes on in the newest block
-    blocks_[freed].next = -1;
-    nodes_[child].first = freed;
-    const std::uint32_t cut = c.middle(axis);
-    for (const entry& e : all) {
-      if (e.low[axis] < cut) add(child, e);
-      if (e.high[axis] >= cut) add(child + 1, e);
-    }
-    for (int which = 0; which < 2; ++which)
-      if (nodes_[child + which].count > bucket) split(child + which, c.half(axis, which));
+    const int size = 1 << (bits[0] + bits[1]);
+    nodes_[at].child = child;
+    nodes_[at].first = -1;
+    nodes_[at].bits = bits;
+    nodes_.resize(nodes_.size() + size);
+    for (const entry& e : all) each_part(at, c, e, [&](int part, const cell&) { add(part, e); });
+    std::vector<entry>().swap(all);
+    for (int i = 0; i < size; ++i)
+      if (nodes_[child + i].count > nodes_[child + i].limit) {
+        cell part = c;
+        for (int axis = 0; axis < 2; ++axis) part.bits[axis] -= bits[axis];
+        part.low[0] += static_cast<std::uint32_t>(static_cast<std::uint64_t>(i >> bits[1]) << part.bits[0]);
+        part.low[1] += static_cast<std::uint32_t>(static_cast<std::uint64_t>(i & ((1 << bits[1]) - 1)) << part.bits[1]);
+        split(child + i, part);
+      }
   }
 
   template <class Body>
-  void search(int at, cell c, const entry& b, Body& body) const {
-    while (nodes_[at].child >= 0) {
-      const int axis = nodes_[at].axis;
-      const int child = nodes_[at].child;
-      const std::uint32_t cut = c.middle(axis);
-      if (b.low[axis] < cut && b.high[axis] >= cut) search(child, c.half(axis, 0), b, body);
-      const int which = b.high[axis] < cut ? 0 : 1;
-      c = c.half(axis, which);
-      at = child + which;
-    }
-    visit(at, [&](const entry& e) {
-      if (e.meets(b)) body(e.id);
-    });
+  void search(int at, const cell& c, const entry& b, Body& body) const {
+    if (nodes_[at].child >= 0)
+      each_part(at, c, b, [&](int child, const cell& part) { search(child, part, b, body); });
+    else
+      visit(at, [&](const entry& e) {
+        if (e.meets(b)) body(e.id);
+      });
   }
 
   std::array<double, 2> low_{};
   std::array<double, 2> scale_{};
-  std::array<int, 2> bits_{};  // of the numbers of cells
-  std::vector<node> nodes_;    // the grid's first
+  std::vector<node> nodes_;
   std::vector<block> blocks_;
 };
 

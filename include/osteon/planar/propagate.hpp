@@ -292,24 +292,19 @@ class propagation {
     queued_until_ = std::max(queued_until_, window_.last);
     if (!contacts_) return;
     box frame;
-    box_sizes edge_sizes;
-    box_sizes vertex_sizes;
     for (const int e : living_) {
       const int v = front_.edges[e].tail;
       tracks_[v].known_until = life(v);
       tracks_[v].swept = swept(v);
       frame.add(tracks_[v].swept);
     }
-    constexpr std::size_t every = 8;
-    for (std::size_t i = 0; i < living_.size(); i += every) boxes_of_edge(living_[i], [&](const box& b) { edge_sizes.add(b); });
-    for (std::size_t i = 0; i < reflex_.size(); i += every) vertex_sizes.add(tracks_[reflex_[i]].swept);
-    edge_boxes_.clear(frame, 2 * living_.size(), edge_sizes);
-    vertex_boxes_.clear(frame, 2 * reflex_.size(), vertex_sizes);
-    for (const int e : living_) insert_edge(e);
-    for (const int v : reflex_) {
-      insert_vertex(v);
-      look_from_vertex(v);
-    }
+    edge_boxes_.clear(frame);
+    vertex_boxes_.clear(frame);
+    for (const int e : living_) boxes_of_edge(e, [&](const box& b) { edge_boxes_.add(e, b); });
+    for (const int v : reflex_) vertex_boxes_.add(v, tracks_[v].swept);
+    edge_boxes_.build();
+    vertex_boxes_.build();
+    for (const int v : reflex_) look_from_vertex(v);
   }
 
   // No longer than this is a vertex what it is, as far as is known.

@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -38,7 +39,7 @@ class filtered {
   using corner = corner_planes<dimension>;
   using support = meeting_planes<dimension>;
 
-  /// D and S as estimates, and an interval that certainly contains D / S.
+  /// D and S as estimates, an interval that certainly contains D / S, and one for its coefficient of e (design 04).
   struct meeting {
     support planes;
     sign closing;
@@ -46,6 +47,8 @@ class filtered {
     estimate speed;
     double earliest;
     double latest;
+    double least_drift;
+    double most_drift;
   };
   using bisector_type = typename K::bisector_type;
 
@@ -66,9 +69,13 @@ class filtered {
 
   meeting meeting_of(const support& q) const {
     const support sorted = ascending(q);
-    meeting m = estimated(sorted, fast_.lambda(0, sorted));
+    const lambdas lambda = fast_.lambda(0, sorted);
+    meeting m = estimated(sorted, lambda);
     refine(m);
-    bound_time(m);
+    std::tie(m.earliest, m.latest) = ratio(m.offset, m.speed);
+    estimate drift(0);
+    for (int r = 0; r <= dimension; ++r) drift = drift + lambda[r] * fast_.arithmetic().delta(sorted[r]);
+    std::tie(m.least_drift, m.most_drift) = ratio(drift, m.speed);
     const auto s = m.speed.certain_sign();
     m.closing = s ? *s : exact_.closing_at(0, m.planes);
     return m;
@@ -79,7 +86,7 @@ class filtered {
   }
   support planes(const meeting& m) const { return m.planes; }
   sign closing(const meeting& m) const { return m.closing; }
-  meeting start() const { return {start_planes, sign::positive, estimate(0), estimate(1), 0, 0}; }
+  meeting start() const { return {start_planes, sign::positive, estimate(0), estimate(1), 0, 0, 0, 0}; }
 
   sign compare(const meeting& m, const meeting& n) const {
     if (m.latest < n.earliest) return sign::negative;
@@ -96,6 +103,12 @@ class filtered {
   bisector_type bisector(plane_id a, plane_id b) const { return exact_.bisector(a, b); }
   sign compare(const bisector_type& e, const bisector_type& f) const requires(dimension == 3) { return exact_.compare(e, f); }
   sign compare_volume(std::span<const triple> s, std::span<const triple> t) const requires(dimension == 3) { return exact_.compare_volume(s, t); }
+
+  /// The order of two meetings with the same time, S not zero, by their times' coefficients of e; zero where that is not certain.
+  sign compare_drift(const meeting& m, const meeting& n) const {
+    if (m.most_drift < n.least_drift) return sign::negative;
+    return m.least_drift > n.most_drift ? sign::positive : sign::zero;
+  }
 
   sign orientation_at(int grade, const corner& t) const {
     const auto s = fast_.orientation_at(grade, t);
@@ -169,7 +182,7 @@ class filtered {
   meeting estimated(const support& q, const lambdas& lambda) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto& a = fast_.arithmetic();
-    meeting m{q, sign::zero, estimate(0), estimate(0), -infinity, infinity};
+    meeting m{q, sign::zero, estimate(0), estimate(0), -infinity, infinity, -infinity, infinity};
     for (int r = 0; r <= dimension; ++r) {
       m.offset = m.offset + lambda[r] * a.d(q[r]);
       m.speed = m.speed + lambda[r] * a.speed(q[r]);
@@ -177,15 +190,15 @@ class filtered {
     return m;
   }
 
-  static void bound_time(meeting& m) {
-    const double below = std::abs(m.speed.value) - m.speed.error();
-    if (below > 0 && m.speed.scale > 1e-250 && m.offset.scale > 1e-250 && m.speed.scale < 1e290 && m.offset.scale < 1e290) {
-      const double t = m.offset.value / m.speed.value;
-      // |D'/S' - D/S| <= (|D' - D| + |t| |S' - S|) / |S|; the factor covers the roundings of this line.
-      const double radius = (m.offset.error() + std::abs(t) * m.speed.error()) / below * (1 + 0x1p-48) + std::abs(t) * 0x1p-50;
-      m.earliest = t - radius;
-      m.latest = t + radius;
-    }
+  // An interval that contains d / s.
+  static std::pair<double, double> ratio(const estimate& d, const estimate& s) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double below = std::abs(s.value) - s.error();
+    if (!(below > 0 && s.scale > 1e-250 && (d.scale > 1e-250 || d.scale == 0) && s.scale < 1e290 && d.scale < 1e290)) return {-infinity, infinity};
+    const double t = d.value / s.value;
+    // |D'/S' - D/S| <= (|D' - D| + |t| |S' - S|) / |S|; the factor covers the roundings of this line.
+    const double radius = (d.error() + std::abs(t) * s.error()) / below * (1 + 0x1p-48) + std::abs(t) * 0x1p-50;
+    return {t - radius, t + radius};
   }
 
   // Almost coplanar planes leave few bits of D and S; then they are worth being computed exactly, once, and rounded:

@@ -73,6 +73,8 @@ class perturbed {
     if (m.regular && n.regular) {
       const sign s = k_.compare(m.base, n.base);
       if (s != sign::zero) return s;
+      if constexpr (requires { k_.compare_drift(m.base, n.base); })
+        if (const sign d = k_.compare_drift(m.base, n.base); d != sign::zero) return d;
     }
     return leading([&](int g) { return k_.cross_at(g, q, r); }, m.regular && n.regular ? 1 : 0).value * m.closing * n.closing;
   }
