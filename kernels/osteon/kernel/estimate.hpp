@@ -27,8 +27,8 @@ struct estimate {
 
   // The longest path in formulas.hpp: a minor has 3 inputs (6), 2 products, 2 sums, and for higher grades 6 sums more
   // (16); D and S multiply with an input and add 4 terms (23); a cross product multiplies two of them, merges up to
-  // 14 terms, multiplies with an input and adds 8 terms: 2 * 23 + 1 + 14 + 3 + 8 = 72. 100 leaves room for the
-  // rounding of scale itself and of the bound.
+  // 14 terms, multiplies with an input and adds 8 terms: 2 * 23 + 1 + 14 + 3 + 8 = 72. An offset from an anchor meets 6
+  // more. 100 leaves room for the rounding of scale itself and of the bound.
   static constexpr double bound = 100 * 0x1p-53;
 
   double error() const { return bound * scale; }
@@ -65,7 +65,8 @@ class estimated_planes {
   static constexpr int dimension = Dimension;
   using number = estimate;
 
-  explicit estimated_planes(std::span<const moving_plane<integer, Dimension>> planes) : planes_(round_planes<Dimension>(planes)) {
+  explicit estimated_planes(std::span<const moving_plane<integer, Dimension>> planes, std::span<const std::array<double, Dimension>> anchors = {})
+      : planes_(round_planes<Dimension>(planes, anchors)) {
     for (const auto& p : planes_) unscaled_ = unscaled_ && p.unscaled;
   }
 
@@ -75,6 +76,15 @@ class estimated_planes {
   bool unscaled() const { return unscaled_; }
   estimate n(plane_id i, int axis) const { return estimate::input(planes_[i].n[axis], planes_[i].exact, planes_[i].fit); }
   estimate d(plane_id i) const { return estimate::input(planes_[i].d, planes_[i].exact, planes_[i].fit); }
+  /// d where the anchor of another plane is the origin.
+  estimate d_from(plane_id i, plane_id origin) const {
+    const auto& p = planes_[i];
+    estimate sum = estimate::input(p.rest, p.exact, p.fit);
+    if (i == origin) return sum;
+    for (int axis = 0; axis < Dimension; ++axis)
+      sum = sum + n(i, axis) * estimate::input(p.anchor[axis] - planes_[origin].anchor[axis], true);
+    return sum;
+  }
   estimate u(plane_id i, int axis) const { return estimate::input(planes_[i].u[axis], planes_[i].exact, planes_[i].tilt_fit); }
   estimate delta(plane_id i) const { return estimate::input(planes_[i].delta, planes_[i].exact, planes_[i].tilt_fit); }
   estimate speed(plane_id i) const { return estimate::input(planes_[i].speed, planes_[i].exact, planes_[i].fit); }

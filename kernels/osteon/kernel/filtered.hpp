@@ -52,13 +52,17 @@ class filtered {
   };
   using bisector_type = typename K::bisector_type;
 
-  filtered(std::span<const moving_plane<integer, K::dimension>> planes, K exact_kernel)
-      : fast_(basic_filter_arithmetic<dimension>(planes)), exact_(std::move(exact_kernel)) {}
+  /// `anchors`: see round_planes.
+  filtered(std::span<const moving_plane<integer, K::dimension>> planes, K exact_kernel, std::span<const std::array<double, K::dimension>> anchors = {})
+      : fast_(basic_filter_arithmetic<dimension>(planes, anchors)), exact_(std::move(exact_kernel)) {}
   const K& base() const { return exact_; }
 
   plane_id size() const { return exact_.size(); }
   /// This plane will be asked about soon.
-  void prefetch(plane_id a) const { osteon::prefetch(&fast_.arithmetic().plane(a)); }
+  void prefetch(plane_id a) const {
+    osteon::prefetch(&fast_.arithmetic().plane(a));
+    osteon::prefetch(&fast_.arithmetic().plane(a).d);
+  }
   bool has_unit_speeds() const requires requires(const K& k) { k.has_unit_speeds(); }
   { return exact_.has_unit_speeds(); }
   template <std::same_as<plane_id>... Planes>
@@ -184,7 +188,7 @@ class filtered {
     const auto& a = fast_.arithmetic();
     meeting m{q, sign::zero, estimate(0), estimate(0), -infinity, infinity, -infinity, infinity};
     for (int r = 0; r <= dimension; ++r) {
-      m.offset = m.offset + lambda[r] * a.d(q[r]);
+      m.offset = m.offset + lambda[r] * a.d_from(q[r], q[0]);
       m.speed = m.speed + lambda[r] * a.speed(q[r]);
     }
     return m;

@@ -21,8 +21,10 @@ namespace osteon {
 template <int Dimension>
 struct rounded_plane {
   std::array<double, Dimension> n;
-  double d;
+  std::array<double, Dimension> anchor;  ///< integers: a point near what lies on the plane
+  double rest;                           ///< d - n . anchor
   double speed;
+  double d;
   std::array<double, Dimension> u;
   double delta;
   bool exact;
@@ -46,8 +48,11 @@ inline bool is_fit(const integer& x, int shift) { return x == 0 || bit_length(x)
 /// Rounds planes. Products of seven normals and an offset must neither overflow nor lose bits to underflow, so where
 /// numbers are long each plane is scaled by a power of two (K4: that changes no sign) and so are all offsets together
 /// (that changes the unit of length and time).
+/// `anchors`: a point for each plane, with integers for coordinates, or none. Where planes are near their anchors and these near each other, far
+/// from the origin, D loses fewer bits; nothing else depends on them.
 template <int Dimension>
-std::vector<rounded_plane<Dimension>> round_planes(std::span<const moving_plane<integer, Dimension>> planes) {
+std::vector<rounded_plane<Dimension>> round_planes(std::span<const moving_plane<integer, Dimension>> planes,
+                                                   std::span<const std::array<double, Dimension>> anchors = {}) {
   constexpr int longest = 100;  // bits of n, and of d beyond n: 8 * 100 + 2 * 100 < 1023
   std::vector<int> shifts;
   int offset_shift = 0;
@@ -57,7 +62,9 @@ std::vector<rounded_plane<Dimension>> round_planes(std::span<const moving_plane<
     shifts.push_back(bits > longest ? bits : 0);
     offset_shift = std::max(offset_shift, bit_length(p.d) - shifts.back() - 2 * longest);
   }
+  const bool anchored = !anchors.empty() && offset_shift == 0 && std::all_of(shifts.begin(), shifts.end(), [](int s) { return s == 0; });
   std::vector<rounded_plane<Dimension>> result;
+  result.reserve(planes.size());
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const auto& p = planes[i];
     const auto tilt = perturbation::of(static_cast<plane_id>(i));
@@ -68,6 +75,13 @@ std::vector<rounded_plane<Dimension>> round_planes(std::span<const moving_plane<
       r.u[axis] = std::ldexp(tilt.u[axis], -shifts[i]);
     }
     r.d = to_double(p.d, shifts[i] + offset_shift);
+    r.rest = r.d;
+    if (anchored) {
+      r.anchor = anchors[i];
+      integer rest = p.d;
+      for (int axis = 0; axis < Dimension; ++axis) rest -= p.n[axis] * integer(r.anchor[axis]);
+      r.rest = to_double(rest, 0);
+    }
     r.delta = std::ldexp(tilt.delta, -shifts[i] - offset_shift);
     r.speed = to_double(isqrt(squared << 128), 64 + shifts[i]);
     const auto small = [](const integer& x) { return bit_length(x) <= 53; };
