@@ -48,6 +48,7 @@ class contraction {
   contracted_skeleton run() {
     merge_nodes();
     collect_stretches();
+    match_sides();
     join_straight();
     return collect();
   }
@@ -61,24 +62,14 @@ class contraction {
     std::array<line_id, 2> corner;
     int same = -1;  ///< an earlier place that it has turned out to be
   };
-  // A stretch between two places and the faces beside it, each in each other's turn: what is met twice is gone.
+  // A stretch between two places, and the faces beside it.
   struct stretch {
     std::array<int, 2> ends;
-    std::array<int, 2> faces = {-1, -1};
-    int count = 0;
-
-    // False where there is no room.
-    bool toggle(int face) {
-      for (int i = 0; i < count; ++i)
-        if (faces[i] == face) {
-          faces[i] = faces[--count];
-          return true;
-        }
-      if (count == 2) return false;
-      faces[count++] = face;
-      return true;
-    }
+    std::array<int, 2> faces;
+    bool gone = false;
   };
+  // One side of an arc on a stretch: the ends and a face.
+  using side_of_stretch = std::array<int, 3>;
 
   // ---- places
 
@@ -260,34 +251,36 @@ class contraction {
 
   void add_stretch(int from, int to, const std::array<int, 2>& faces) {
     if (to >= 0 && from > to) std::swap(from, to);
-    const std::uint64_t key = static_cast<std::uint64_t>(static_cast<std::uint32_t>(from)) << 32U | static_cast<std::uint32_t>(to);
-    const auto [at, fresh] = index_.try_emplace(key, static_cast<int>(stretches_.size()));
-    if (fresh) stretches_.push_back({{from, to}});
-    for (const int f : faces)
-      if (!stretches_[at->second].toggle(f)) crowded_[at->second].push_back(f);
+    for (const int f : faces) sides_.push_back({from, to, f});
+  }
+
+  // A face that is met an even number of times is on both sides of a stretch, which then does not bound it.
+  void match_sides() {
+    std::sort(sides_.begin(), sides_.end());
+    for (std::size_t i = 0; i < sides_.size();) {
+      const int from = sides_[i][0];
+      const int to = sides_[i][1];
+      stretch s{{from, to}, {-1, -1}};
+      int count = 0;
+      while (i < sides_.size() && sides_[i][0] == from && sides_[i][1] == to) {
+        std::size_t next = i;
+        while (next < sides_.size() && sides_[next] == sides_[i]) ++next;
+        if ((next - i) % 2 != 0) {
+          if (count == 2) broken_invariant<K>("an arc has two sides in the limit");
+          s.faces[count++] = sides_[i][2];
+        }
+        i = next;
+      }
+      if (count == 1) broken_invariant<K>("an arc has two sides in the limit");
+      if (count == 2) stretches_.push_back(s);
+    }
+    std::vector<side_of_stretch>().swap(sides_);
   }
 
   // ---- the result
 
   // Two stretches between the same faces that meet at a place where nothing else does are one.
   void join_straight() {
-    for (auto& [s, more] : crowded_) {
-      auto& to = stretches_[s];
-      more.insert(more.end(), to.faces.begin(), to.faces.begin() + to.count);
-      std::sort(more.begin(), more.end());
-      to.count = 0;
-      for (std::size_t i = 0; i < more.size();) {
-        std::size_t next = i;
-        while (next < more.size() && more[next] == more[i]) ++next;
-        if ((next - i) % 2 != 0 && !to.toggle(more[i])) broken_invariant<K>("an arc has two sides in the limit");
-        i = next;
-      }
-    }
-    std::erase_if(stretches_, [](const stretch& s) { return s.count == 0; });
-    for (auto& s : stretches_) {
-      if (s.count != 2) broken_invariant<K>("an arc has two sides in the limit");
-      if (s.faces[0] > s.faces[1]) std::swap(s.faces[0], s.faces[1]);
-    }
     degree_.assign(places_.size(), 0);
     std::vector<std::array<int, 2>> at(places_.size(), {-1, -1});
     for (std::size_t i = 0; i < stretches_.size(); ++i)
@@ -301,13 +294,13 @@ class contraction {
       const auto far = [&](int s) { return stretches_[s].ends[stretches_[s].ends[0] == middle ? 1 : 0]; };
       const int end = far(j);
       stretches_[i].ends[stretches_[i].ends[0] == middle ? 0 : 1] = end;
-      stretches_[j].count = 0;
+      stretches_[j].gone = true;
       degree_[p] = 0;
       if (end >= 0 && degree_[end] <= 2)
         for (int& s : at[end])
           if (s == j) s = i;
     }
-    std::erase_if(stretches_, [](const stretch& s) { return s.count == 0; });
+    std::erase_if(stretches_, [](const stretch& s) { return s.gone; });
   }
 
   contracted_skeleton collect() const {
@@ -345,9 +338,8 @@ class contraction {
   std::vector<int> place_of_;
   std::unordered_map<int, coincidence> ridge_of_;                 // by moment
   std::unordered_map<std::uint64_t, std::vector<int>> on_ridge_;  // places in order
-  std::unordered_map<std::uint64_t, int> index_;
+  std::vector<side_of_stretch> sides_;
   std::vector<stretch> stretches_;
-  std::unordered_map<int, std::vector<int>> crowded_;  // faces of stretches that had no room for them
   std::vector<int> degree_;
 };
 

@@ -120,7 +120,7 @@ class event_queue {
       return s != sign::zero ? s == sign::positive : triple(queue->k_.planes(m)) > triple(queue->k_.planes(n));
     }
   };
-  static constexpr std::size_t per_slice = 256;
+  static constexpr std::size_t per_slice = 64;
 
   std::size_t slices() const { return late_.size(); }
   double first_of(std::size_t slice) const { return order_begin_[slice]; }
