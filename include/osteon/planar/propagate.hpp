@@ -61,7 +61,8 @@ class propagation {
     if (!(motion_.speed() > 0)) never_vanishes(0);
     initialise();
     while (alive_ > 0) {
-      queue_.advance([this](const std::vector<int>& candidates) { warm(candidates); });
+      queue_.advance([this](const std::vector<candidate>& candidates) { warm(candidates); },
+                     [this](const candidate& c) { return is_current(c) ? k_.meet(lines_of(c)) : std::nullopt; });
       if (window_.last < infinity) {
         if (queue_.empty() || !(queue_.top_time().last <= window_.last)) {
           if (window_.last >= options_.until) break;
@@ -83,10 +84,10 @@ class propagation {
         if (queue_.empty()) continue;
       }
       if (!fresh_.empty() && !same_moment(queue_.top().when) && settle()) continue;
-      const candidate c = queue_.pop();
-      if (!is_current(c) || k_.compare(c.when, now_) != sign::positive) continue;
-      if (const auto found = read(c)) {
-        now_ = c.when;
+      const auto [m, c] = queue_.pop();
+      if (!is_current(c) || lines_of(c) != triple(k_.planes(m)) || k_.compare(m, now_) != sign::positive) continue;
+      if (const auto found = read(c, m)) {
+        now_ = m;
         if constexpr (limit_kernel<K>)
           if (k_.has_moment(now_)) moment_ = now_;
         now_first_ = motion_.sharp_time(found->q).first;
@@ -107,7 +108,6 @@ class propagation {
 
  private:
   using meeting = typename K::meeting;
-  using candidate = typename event_queue<K>::candidate;
   using cell = local::cell;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr interval never = {infinity, infinity};
@@ -282,7 +282,7 @@ class propagation {
   void open_window(double from) {
     std::erase_if(living_, [this](int e) { return !front_.edges[e].alive; });
     changes_ = 0;
-    queue_.restart();
+    queue_.restart([this](const candidate& c) { return is_current(c); });
     contacts_ = reflex_left() && !(options_.outside && surrounds());
     window_ = {from, contacts_ ? std::min(std::max(from, window_.last) + step_, options_.until) : options_.until};
     if (!(window_.last > window_.first)) window_.last = infinity;
@@ -387,7 +387,7 @@ class propagation {
     if (!contains(e, x, a, b, *m)) return;
     const interval sharp = motion_.sharp_time(q);
     if (!(sharp.first < infinity)) return;
-    queue_.push({*m, e, v}, sharp);
+    queue_.push(*m, {sharp, e, v, front_.vertices[v].arc});
     tracks_[v].contact = e;
   }
 
@@ -414,20 +414,19 @@ class propagation {
   bool queue_collapse(int e, const triple& q, const interval& when) {
     const auto m = k_.meet(q);
     if (!m || k_.compare(*m, now_) != sign::positive) return false;
-    queue_.push({*m, e, -1}, when);
+    queue_.push(*m, {when, e});
     return true;
   }
 
   // ---- events
 
   // Brings near what the handling of these candidates will ask for, stage by stage: at each, all wait together.
-  void warm(const std::vector<int>& candidates) {
+  void warm(const std::vector<candidate>& candidates) {
     const auto each_edge = [&](auto body) {
-      for (const int id : candidates) body(queue_.at(id).edge);
+      for (const candidate& c : candidates) body(c.edge);
     };
     const auto each_vertex = [&](auto body) {
-      for (const int id : candidates) {
-        const candidate& c = queue_.at(id);
+      for (const candidate& c : candidates) {
         body(front_.edges[c.edge].tail);
         body(front_.edges[c.edge].head);
         if (c.vertex >= 0) body(c.vertex);
@@ -476,16 +475,18 @@ class propagation {
 
   static std::array<unsigned, 2> others(unsigned r) { return {r == 0 ? 1U : 0U, r == 2 ? 1U : 2U}; }
 
-  // Whether edges and vertices have the lines that they had.
+  // Whether the edge and its neighbours, or the vertex, are still there.
   bool is_current(const candidate& c) const {
-    if (!front_.edges[c.edge].alive || (c.vertex >= 0 && !front_.vertices[c.vertex].alive)) return false;
-    const triple q = c.vertex < 0 ? lines_at(c.edge) : sorted({front_.line_before(c.vertex), front_.line_after(c.vertex), front_.edges[c.edge].line});
-    return q == triple(k_.planes(c.when));
+    if (!front_.edges[c.edge].alive) return false;
+    if (c.vertex >= 0) return front_.vertices[c.vertex].alive && front_.vertices[c.vertex].arc == c.arc;
+    return collapse_[c.edge].first == c.when.first && collapse_[c.edge].last == c.when.last;
+  }
+  triple lines_of(const candidate& c) const {
+    return c.vertex < 0 ? lines_at(c.edge) : sorted({front_.line_before(c.vertex), front_.line_after(c.vertex), front_.edges[c.edge].line});
   }
 
   // What the wavefront looks like where and when lines of it meet; nothing where that is beside the edge.
-  std::optional<neighbourhood> read(const candidate& c) const {
-    const meeting& m = c.when;
+  std::optional<neighbourhood> read(const candidate& c, const meeting& m) const {
     neighbourhood n{k_.planes(m), 0, nullptr, {}, {}};
     const std::array<sign, 3> turns = {k_.orientation(n.q[1], n.q[2]), -k_.orientation(n.q[0], n.q[2]), k_.orientation(n.q[0], n.q[1])};
     for (unsigned r = 0; r < 3; ++r) {
