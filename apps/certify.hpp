@@ -6,9 +6,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "common.hpp"
 #include "osteon/planar/verify.hpp"
@@ -36,8 +38,9 @@ inline std::optional<planar::refutation> certify(const planar::polygon<integer>&
     return s.exact ? planar::verify_contraction(k.base(), p.outline, s.raw, *s.exact) : std::nullopt;
   };
   const std::span<const moving_line<integer>> lines(p.lines);
-  if (name == "rational") return check(perturbed(filtered(lines, make_rational_kernel(lines))));
-  return check(perturbed(filtered(lines, make_sqrt_kernel(lines))));
+  const std::vector<std::array<double, 2>> anchors = anchors_of(p);
+  if (name == "rational") return check(perturbed(filtered(lines, make_rational_kernel(lines), anchors)));
+  return check(perturbed(filtered(lines, make_sqrt_kernel(lines), anchors)));
 }
 
 /// As an error of the program: a result that it has just computed must hold.

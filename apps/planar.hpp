@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -16,7 +17,9 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "osteon/kernel/anchors.hpp"
 #include "osteon/kernel/double.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/motion.hpp"
@@ -92,8 +95,9 @@ template <class Body>
 auto with_planar_kernel(const std::string& name, const planar::polygon<integer>& p, Body body) {
   const std::span<const moving_line<integer>> lines(p.lines);
   if (name == "double") return body(make_double_kernel(lines));
-  if (name == "rational") return body(perturbed(filtered(lines, make_rational_kernel(lines))));
-  return body(perturbed(filtered(lines, make_sqrt_kernel(lines))));
+  const std::vector<std::array<double, 2>> anchors = anchors_of(p);
+  if (name == "rational") return body(perturbed(filtered(lines, make_rational_kernel(lines), anchors)));
+  return body(perturbed(filtered(lines, make_sqrt_kernel(lines), anchors)));
 }
 
 /// The skeleton of a polygon by the named kernel.

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "osteon/kernel/anchors.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/integer.hpp"
 #include "osteon/kernel/motion.hpp"
@@ -41,7 +42,9 @@ using planar_rings = planar::rings<integer>;
 
 inline std::span<const moving_line<integer>> lines_in(const planar::polygon<integer>& p) { return p.lines; }
 
-inline auto planar_default_kernel(const planar::polygon<integer>& p) { return perturbed(filtered(lines_in(p), make_sqrt_kernel(lines_in(p)))); }
+inline auto planar_default_kernel(const planar::polygon<integer>& p) {
+  return perturbed(filtered(lines_in(p), make_sqrt_kernel(lines_in(p)), anchors_of(p)));
+}
 
 /// The raw skeleton under any kernel.
 template <planar::planar_kernel K>

@@ -37,7 +37,6 @@ concept motion_bounds = requires(const M& m, const triple& q, const triple* birt
   { m.place(q) } -> std::same_as<box>;
   { m.begin(a, a, birth) } -> std::same_as<typename M::path>;
   { m.swept(p, t, t) } -> std::same_as<box>;
-  m.prefetch(a);
 };
 
 struct options {
@@ -464,7 +463,7 @@ class propagation {
   }
   void prefetch_line(line_id l) const {
     if constexpr (requires { k_.prefetch(l); }) k_.prefetch(l);
-    motion_.prefetch(l);
+    if constexpr (requires { motion_.prefetch(l); }) motion_.prefetch(l);
   }
 
   // Sign of lambda_r of an ascending triple.
