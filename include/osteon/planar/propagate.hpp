@@ -72,7 +72,7 @@ class propagation {
         }
         if (2 * changes_ > static_cast<int>(living_.size()) + 100) {
           // Too much happens: what has changed crowds the trees.
-          const double time = std::clamp(now_first_, window_.first, window_.last);
+          const double time = std::clamp(when_.first, window_.first, window_.last);
           step_ = std::clamp((time - window_.first) / 2, step_ / 16, step_ / 2);
           window_.last = time;
           open_window(time);
@@ -82,14 +82,14 @@ class propagation {
         if (queue_.empty() && !settle()) break;
         if (queue_.empty()) continue;
       }
-      if (!fresh_.empty() && !same_moment(queue_.top().when) && settle()) continue;
+      if ((!fresh_.empty() || !merged_.empty()) && !same_moment(queue_.top().when) && settle()) continue;
       const auto [m, c] = queue_.pop();
       if (!is_current(c) || lines_of(c) != triple(k_.planes(m)) || k_.compare(m, now_) != sign::positive) continue;
       if (const auto found = read(c, m)) {
         now_ = m;
         if constexpr (limit_kernel<K>)
           if (k_.has_moment(now_)) moment_ = now_;
-        now_first_ = motion_.sharp_time(found->q).first;
+        when_ = c.when;
         replace(*found);
       }
     }
@@ -146,7 +146,7 @@ class propagation {
       result_.nodes.push_back({i, lines, event_class::edge});
       result_.faces.push_back(i);
       front_.edges.push_back({polygon_.line[i], i, polygon_.next[i], i, -1, -1, true});
-      front_.vertices.push_back({previous[i], i, polygon_.line[previous[i]], polygon_.line[i], -1, true});
+      front_.vertices.push_back({previous[i], i, polygon_.line[previous[i]], polygon_.line[i], -1, true, false});
     }
     alive_ = n;
     straighten();
@@ -245,6 +245,7 @@ class propagation {
 
   void begin_arc(int v, int node) {
     auto& vertex = front_.vertices[v];
+    vertex.reflex = k_.orientation(vertex.before, vertex.after) == sign::negative;
     vertex.arc = static_cast<int>(result_.arcs.size());
     result_.arcs.push_back({node, -1, {front_.edges[vertex.in].face, front_.edges[vertex.out].face}});
   }
@@ -253,14 +254,14 @@ class propagation {
 
   bool reflex_left() {
     std::erase_if(reflex_, [this](int v) {
-      if (front_.vertices[v].alive && is_reflex(k_, front_, v)) return false;
+      if (front_.vertices[v].alive && front_.vertices[v].reflex) return false;
       tracks_[v].listed = false;
       return true;
     });
     return !reflex_.empty();
   }
   void list_reflex(int v) {
-    if (tracks_[v].listed || !is_reflex(k_, front_, v)) return;
+    if (tracks_[v].listed || !front_.vertices[v].reflex) return;
     tracks_[v].listed = true;
     reflex_.push_back(v);
   }
@@ -381,7 +382,9 @@ class propagation {
     if (when.first > until || when.last < window_.first) return;
     const auto m = k_.meet(q);
     if (!m || k_.compare(*m, now_) != sign::positive) return;
-    if (k_.closing(*m) != lambda(q, static_cast<unsigned>(std::find(q.begin(), q.end(), c) - q.begin()))) return;
+    // The vertex is reflex, so lambda_c is negative where its lines come in the order of the triple.
+    const auto place = [&q](line_id l) { return std::find(q.begin(), q.end(), l) - q.begin(); };
+    if (k_.closing(*m) != ((place(a) + 1) % 3 == place(b) ? sign::negative : sign::positive)) return;
     const line_id x = k_.transversal(c, a) ? a : b;
     if (!contains(e, x, a, b, *m)) return;
     const interval sharp = motion_.sharp_time(q);
@@ -395,8 +398,9 @@ class propagation {
     const line_id line = front_.edges[e].line;
     const line_id t = front_.line_before(front_.edges[e].tail);
     const line_id h = front_.line_after(front_.edges[e].head);
-    if (t != a && t != b && (k_.side(t, line, x, m) == sign::positive) != grows(k_, line, t)) return false;
-    return h == a || h == b || (k_.side(h, line, x, m) == sign::positive) != grows(k_, line, h);
+    // Behind a convex tail, and before a reflex head, the line is inside of the other one.
+    if (t != a && t != b && (k_.side(t, line, x, m) == sign::positive) == front_.vertices[front_.edges[e].tail].reflex) return false;
+    return h == a || h == b || (k_.side(h, line, x, m) == sign::positive) != front_.vertices[front_.edges[e].head].reflex;
   }
 
   void watch_collapse(int e) {
@@ -404,7 +408,8 @@ class propagation {
     const triple q = lines_at(e);
     if (q[0] == q[1] || q[1] == q[2]) return;
     const interval when = motion_.sharp_time(q);
-    if (when.last < now_first_ || !(when.first < infinity)) return;
+    if (when.last < when_.first || !(when.first < infinity)) return;
+    if (when.first <= when_.last) fresh_.push_back(e);
     collapse_[e] = when;
     if (when.first <= queued_until_ && !queue_collapse(e, q, when)) collapse_[e] = never;
   }
@@ -580,10 +585,7 @@ class propagation {
 
   // Edges with a new end.
   void watch(const std::array<int, 9>& edges, int count) {
-    for (int i = 0; i < count; ++i) {
-      watch_collapse(edges[i]);
-      fresh_.push_back(edges[i]);
-    }
+    for (int i = 0; i < count; ++i) watch_collapse(edges[i]);
     watch_contacts(edges, count);
   }
 
@@ -731,7 +733,7 @@ class propagation {
     }
     const int v = free_.back();
     free_.pop_back();
-    front_.vertices[v] = {c.in, c.out, front_.edges[c.in].line, front_.edges[c.out].line, -1, true};
+    front_.vertices[v] = {c.in, c.out, front_.edges[c.in].line, front_.edges[c.out].line, -1, true, false};
     front_.edges[c.in].head = v;
     front_.edges[c.out].tail = v;
     begin_arc(v, node);
@@ -766,7 +768,7 @@ class propagation {
       look_from_edge(changed[i]);
     }
     for (int i = 0; i < more; ++i) {
-      if (!is_reflex(k_, front_, vertices[i])) continue;
+      if (!front_.vertices[vertices[i]].reflex) continue;
       insert_vertex(vertices[i]);
       look_from_vertex(vertices[i]);
     }
@@ -787,12 +789,12 @@ class propagation {
   std::vector<int> free_;    // dead vertices
 
   interval window_{0, 0};
-  double now_first_ = 0;             // the present moment is not earlier
+  interval when_{0, 0};              // contains the present moment
   double queued_until_ = -infinity;  // so far all collapses are in the queue
   double step_ = 0;
   bool contacts_ = true;  // some are possible
   int changes_ = 0;
-  std::vector<int> fresh_;  // edges that have changed at this moment
+  std::vector<int> fresh_;  // edges that have changed at this moment and may have no length
   // Edges that have become one with another on their line at this moment, at a node of a third line.
   struct merge {
     int edge;

@@ -28,6 +28,7 @@ struct wavefront {
     line_id after;   ///< line of the edge that starts here
     int arc;
     bool alive;
+    bool reflex;  ///< the polygon is the union, not the intersection, of two half-planes there
   };
   std::vector<edge> edges;
   std::vector<vertex> vertices;
@@ -50,17 +51,5 @@ struct wavefront {
     if (edges[f].next >= 0) edges[edges[f].next].previous = f;
   }
 };
-
-/// Whether points of line `of` lie inside line x beyond the point where they cross, seen in the direction of edges on `of`.
-template <planar_kernel K>
-bool grows(const K& k, line_id of, line_id x) {
-  return k.orientation(of, x) == sign::negative;
-}
-
-/// Whether the polygon is the union, not the intersection, of two half-planes at the vertex.
-template <planar_kernel K>
-bool is_reflex(const K& k, const wavefront& front, int v) {
-  return k.orientation(front.line_before(v), front.line_after(v)) == sign::negative;
-}
 
 }  // namespace osteon::planar

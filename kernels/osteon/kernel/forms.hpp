@@ -156,22 +156,23 @@ class formulas {
   static constexpr bool remembers = requires { typename Arithmetic::remembers_minors; };
 
   number compute_minor(int m, const corner& c) const {
-    if (m == 0) return det(c, 0);
+    if (m == 0) return det([&](int row, int axis) { return a_.n(c[row], axis); });
     auto sum = number(0);
     for (unsigned tilted = 1; tilted < 1U << static_cast<unsigned>(dimension); ++tilted)
-      if (std::popcount(tilted) == m) sum = sum + det(c, tilted);
+      if (std::popcount(tilted) == m)
+        sum = sum + det([&](int row, int axis) { return (tilted >> static_cast<unsigned>(row) & 1U) != 0 ? a_.u(c[row], axis) : a_.n(c[row], axis); });
     return sum;
   }
 
-  number entry(plane_id p, int axis, bool tilted) const { return tilted ? a_.u(p, axis) : a_.n(p, axis); }
-
-  number det(const corner& c, unsigned tilted) const {
-    const auto at = [&](int row, int axis) { return entry(c[row], axis, (tilted >> static_cast<unsigned>(row) & 1U) != 0); };
-    const auto m = [&](int row, int a, int b) { return at(row, a) * at(row + 1, b) - at(row, b) * at(row + 1, a); };
-    if constexpr (dimension == 2)
-      return m(0, 0, 1);
-    else
-      return at(0, 0) * m(1, 1, 2) + at(0, 1) * m(1, 2, 0) + at(0, 2) * m(1, 0, 1);
+  // The determinant of the entries at(row, axis).
+  template <class At>
+  static number det(At at) {
+    if constexpr (dimension == 2) {
+      return at(0, 0) * at(1, 1) - at(0, 1) * at(1, 0);
+    } else {
+      const auto m = [&](int a, int b) { return at(1, a) * at(2, b) - at(1, b) * at(2, a); };
+      return at(0, 0) * m(1, 2) + at(0, 1) * m(2, 0) + at(0, 2) * m(0, 1);
+    }
   }
 
   static void accumulate(form& f, const number& factor, const form& s) {
