@@ -169,7 +169,7 @@ class propagation {
     for (int e = 0; e < n; ++e)
       if (front_.edges[e].alive) watch_collapse(e);
     window_ = {0, 0};
-    step_ = spacing() / motion_.speed() / 4;
+    step_ = spacing() / motion_.speed() / 8;
   }
 
   // How far apart things are in the beginning, about.

@@ -83,10 +83,10 @@ std::vector<rounded_plane<Dimension>> round_planes(std::span<const moving_plane<
       r.rest = to_double(rest, 0);
     }
     r.delta = std::ldexp(tilt.delta, -shifts[i] - offset_shift);
-    r.speed = to_double(isqrt(squared << 128), 64 + shifts[i]);
     const auto small = [](const integer& x) { return bit_length(x) <= 53; };
     r.exact = shifts[i] == 0 && offset_shift == 0 && std::all_of(p.n.begin(), p.n.end(), small) && small(p.d) && is_square(squared) &&
               small(isqrt(squared));
+    r.speed = r.exact ? to_double(isqrt(squared), 0) : std::sqrt(to_double(squared, 2 * shifts[i]));  // the root halves the relative error
     const int shift = shifts[i];
     r.unscaled = shift == 0 && offset_shift == 0;
     r.fit = std::all_of(p.n.begin(), p.n.end(), [shift](const integer& x) { return is_fit(x, shift); }) && is_fit(p.d, shift + offset_shift);
