@@ -49,9 +49,9 @@ struct box {
   bool meets(const box& b) const { return low[0] <= b.high[0] && b.low[0] <= high[0] && low[1] <= b.high[1] && b.low[1] <= high[1]; }
 };
 
-/// Boxes of numbered things in a tree of grids: a cell with too many boxes is cut into so many parts, along one axis or both, that few boxes are in each
-/// and few in several. Expected constant time for an insertion where boxes are spread evenly, logarithmic otherwise; a search visits the leaves that the
-/// box meets. Boxes are rounded outwards to a grid of 2^32 by 2^32, so that a leaf's fit into a few cache lines.
+/// Boxes of numbered things in a tree of grids: a cell with too many boxes is cut into so many parts, along one axis or both, that few boxes are in
+/// each and few in several. Expected constant time for an insertion where boxes are spread evenly, logarithmic otherwise; a search visits the leaves
+/// that the box meets. Boxes are rounded outwards to a grid of 2^32 by 2^32, so that a leaf's fit into a few cache lines.
 class box_tree {
  public:
   /// Empties the tree. `frame`: where boxes will be, about; others are moved to its border.
@@ -102,10 +102,10 @@ class box_tree {
     std::array<entry, room> entries;
   };
   struct node {
-    int child = -1;          ///< the first of its parts, or -1
-    int first = -1;          ///< block
-    int count = 0;           ///< of boxes
-    int limit = 6 * room;    ///< with more it is cut
+    int child = -1;             ///< the first of its parts, or -1
+    int first = -1;             ///< block
+    int count = 0;              ///< of boxes
+    int limit = 6 * room;       ///< with more it is cut
     std::array<int, 2> bits{};  ///< of the numbers of parts on each axis
   };
   // Numbers from low to low + 2^bits on each axis.

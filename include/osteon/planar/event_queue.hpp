@@ -22,9 +22,9 @@ struct candidate {
   int arc = -1;  ///< of the vertex, by which it is known later
 };
 
-/// Candidates in order of time. They wait in slices of time, unsorted; those of the slices that have begun are in a heap with their meetings, which stays
-/// small and close at hand. Most comparisons are decided by enclosures of their times; the kernel is asked where these overlap. Simultaneous meetings,
-/// which only unperturbed kernels know, come in the order of their lines.
+/// Candidates in order of time. They wait in slices of time, unsorted; those of the slices that have begun are in a heap with their meetings, which
+/// stays small and close at hand. Most comparisons are decided by enclosures of their times; the kernel is asked where these overlap. Simultaneous
+/// meetings, which only unperturbed kernels know, come in the order of their lines.
 template <planar_kernel K>
 class event_queue {
  public:
@@ -46,7 +46,8 @@ class event_queue {
     while (slice_ < late_.size() && (heap_.empty() || heap_.front().when.last >= begin_[slice_])) {
       current_.clear();
       const std::size_t end = std::min(early_.size(), (slice_ + 1) * per_slice);
-      current_.insert(current_.end(), early_.begin() + static_cast<std::ptrdiff_t>(slice_ * per_slice), early_.begin() + static_cast<std::ptrdiff_t>(end));
+      current_.insert(current_.end(), early_.begin() + static_cast<std::ptrdiff_t>(slice_ * per_slice),
+                      early_.begin() + static_cast<std::ptrdiff_t>(end));
       current_.insert(current_.end(), late_[slice_].begin(), late_[slice_].end());
       waiting_ -= current_.size();
       std::vector<candidate>().swap(late_[slice_]);

@@ -81,8 +81,7 @@ class estimated_planes {
     const auto& p = planes_[i];
     estimate sum = estimate::input(p.rest, p.exact, p.fit);
     if (i == origin) return sum;
-    for (int axis = 0; axis < Dimension; ++axis)
-      sum = sum + n(i, axis) * estimate::input(p.anchor[axis] - planes_[origin].anchor[axis], true);
+    for (int axis = 0; axis < Dimension; ++axis) sum = sum + n(i, axis) * estimate::input(p.anchor[axis] - planes_[origin].anchor[axis], true);
     return sum;
   }
   estimate u(plane_id i, int axis) const { return estimate::input(planes_[i].u[axis], planes_[i].exact, planes_[i].tilt_fit); }

@@ -53,7 +53,8 @@ class filtered {
   using bisector_type = typename K::bisector_type;
 
   /// `anchors`: see round_planes.
-  filtered(std::span<const moving_plane<integer, K::dimension>> planes, K exact_kernel, std::span<const std::array<double, K::dimension>> anchors = {})
+  filtered(std::span<const moving_plane<integer, K::dimension>> planes, K exact_kernel,
+           std::span<const std::array<double, K::dimension>> anchors = {})
       : fast_(basic_filter_arithmetic<dimension>(planes, anchors)), exact_(std::move(exact_kernel)) {}
   const K& base() const { return exact_; }
 

@@ -160,7 +160,8 @@ class formulas {
     auto sum = number(0);
     for (unsigned tilted = 1; tilted < 1U << static_cast<unsigned>(dimension); ++tilted)
       if (std::popcount(tilted) == m)
-        sum = sum + det([&](int row, int axis) { return (tilted >> static_cast<unsigned>(row) & 1U) != 0 ? a_.u(c[row], axis) : a_.n(c[row], axis); });
+        sum =
+            sum + det([&](int row, int axis) { return (tilted >> static_cast<unsigned>(row) & 1U) != 0 ? a_.u(c[row], axis) : a_.n(c[row], axis); });
     return sum;
   }
 
