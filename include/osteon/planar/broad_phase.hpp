@@ -63,6 +63,7 @@ class box_tree {
     }
     nodes_.assign(1, {});
     blocks_.clear();
+    free_ = -1;
   }
 
   /// One of many, to be followed by build().
@@ -160,10 +161,16 @@ class box_tree {
   void add(int at, const entry& e) {
     int first = nodes_[at].first;
     if (first < 0 || blocks_[first].count == room) {
-      blocks_.emplace_back();
-      blocks_.back().count = 0;
-      blocks_.back().next = first;
-      first = nodes_[at].first = static_cast<int>(blocks_.size()) - 1;
+      int fresh = free_;
+      if (fresh >= 0) {
+        free_ = blocks_[fresh].next;
+      } else {
+        fresh = static_cast<int>(blocks_.size());
+        blocks_.emplace_back();
+      }
+      blocks_[fresh].count = 0;
+      blocks_[fresh].next = first;
+      first = nodes_[at].first = fresh;
     }
     blocks_[first].entries[blocks_[first].count++] = e;
     ++nodes_[at].count;
@@ -216,6 +223,10 @@ class box_tree {
     std::vector<entry> all;
     all.reserve(nodes_[at].count);
     visit(at, [&](const entry& e) { all.push_back(e); });
+    int last = nodes_[at].first;
+    while (blocks_[last].next >= 0) last = blocks_[last].next;
+    blocks_[last].next = free_;
+    free_ = nodes_[at].first;
     const int child = static_cast<int>(nodes_.size());
     const int size = 1 << (bits[0] + bits[1]);
     nodes_[at].child = child;
@@ -248,6 +259,7 @@ class box_tree {
   std::array<double, 2> scale_{};
   std::vector<node> nodes_;
   std::vector<block> blocks_;
+  int free_ = -1;  // the first of the blocks that are not used
 };
 
 }  // namespace osteon::planar

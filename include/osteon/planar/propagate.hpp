@@ -138,6 +138,15 @@ class propagation {
 
   void initialise() {
     const int n = static_cast<int>(polygon_.next.size());
+    // In general position there are as many events as vertices, half of them edges that vanish.
+    result_.nodes.reserve(2 * polygon_.next.size());
+    result_.arcs.reserve(3 * polygon_.next.size());
+    result_.faces.reserve(polygon_.next.size());
+    front_.edges.reserve(3 * polygon_.next.size() / 2);
+    collapse_.reserve(3 * polygon_.next.size() / 2);
+    living_.reserve(3 * polygon_.next.size() / 2);
+    front_.vertices.reserve(polygon_.next.size());
+    tracks_.reserve(polygon_.next.size());
     std::vector<int> previous(n);
     for (int i = 0; i < n; ++i) previous[polygon_.next[i]] = i;
     for (int i = 0; i < n; ++i) {
