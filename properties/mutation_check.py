@@ -21,6 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 CATALOGUE, VERIFY, KERNEL, VOXEL, DEGENERATE, ROOTS, SOLID, SEARCH = (
     ("catalogue_test", "*"), ("verify_test", "Certificate.OfEvery*:Certificate.OfTheThesis*:Corrupted*"), ("kernel_test", "*"), ("voxel_test", "*"),
     ("degenerate_test", "*"), ("square_classes_test", "*"), ("regression_test", "*"), ("split_search_test", "*"))
+PLANE = ("planar_skeleton_test", "*")
 INCLUDE, KERNELS = "include/osteon/", "kernels/osteon/kernel/"
 
 # name, file, what is there, what is put in its place, the programs that should notice
@@ -61,8 +62,8 @@ FAULTS = [
      "if (across == apex.end() || cuts(f, a, b, across->second)) {", [SEARCH]),
     ("nodes of one place stay apart", INCLUDE + "contract.hpp", "if (on_planes(p, places_[q].corner)) found = static_cast<int>(q);", "", [DEGENERATE]),
     ("arcs run through places", INCLUDE + "contract.hpp", "for (const int p : between(a.planes, from, to)) stops.push_back(p);", "", [DEGENERATE]),
-    ("a minor has the wrong sign", KERNELS + "forms.hpp", "return {-minor(m, q[1], q[2], q[3]), minor(m, q[0], q[2], q[3])",
-     "return {-minor(m, q[1], q[2], q[3]), -minor(m, q[0], q[2], q[3])", [KERNEL]),
+    ("a minor has the wrong sign", KERNELS + "forms.hpp", "return {-minor(m, {q[1], q[2], q[3]}), minor(m, {q[0], q[2], q[3]})",
+     "return {-minor(m, {q[1], q[2], q[3]}), -minor(m, {q[0], q[2], q[3]})", [KERNEL]),
     ("the filter is too sure", KERNELS + "estimate.hpp", "bound = 100 * 0x1p-53", "bound = 0.01 * 0x1p-53", [KERNEL, VERIFY]),
     ("the start is before time zero", KERNELS + "perturbed.hpp", "if (const sign s = at(g, k_.closing_at(g, q)); s != sign::zero) return -s;",
      "if (const sign s = at(g, k_.closing_at(g, q)); s != sign::zero) return s;", [KERNEL, VERIFY]),
@@ -70,6 +71,25 @@ FAULTS = [
      "if (level == 3) return sign::positive;", [ROOTS]),
     ("the certificate does not look for overlaps", INCLUDE + "verify.hpp", "      check_overlaps();\n", "", [VERIFY]),
     ("the certificate does not look around nodes", INCLUDE + "verify.hpp", "if (s_.nodes[n].vertex < 0) check_event(n);", "", [VERIFY]),
+    ("plane: edges without length stay", INCLUDE + "planar/propagate.hpp", "|| !k_.touches(h, t, line, moment_)) continue;", "|| true) continue;", [PLANE]),
+    ("plane: edges without length are not looked for", INCLUDE + "planar/propagate.hpp", "if (when.first <= when_.last) fresh_.push_back(e);", "", [PLANE]),
+    ("plane: arcs pass through nodes unseen", INCLUDE + "planar/propagate.hpp", "result_.passes.push_back({front_.vertices[v].arc, m.node});", "{}", [PLANE]),
+    ("plane: changed edges are not looked at", INCLUDE + "planar/propagate.hpp", "look_from_edge(changed[i]);", "", [PLANE]),
+    ("plane: new reflex vertices are not looked at", INCLUDE + "planar/propagate.hpp", "look_from_vertex(vertices[i]);", "", [PLANE]),
+    ("plane: merged edges are not looked at", INCLUDE + "planar/propagate.hpp", "touched[count++] = merged[r];", "", [PLANE]),
+    ("plane: windows without contacts", INCLUDE + "planar/propagate.hpp", "contacts_ = reflex_left() && ", "contacts_ = !reflex_left() && ", [PLANE]),
+    ("plane: another edge on the line is not seen", INCLUDE + "planar/propagate.hpp", "front_.line_before(front_.edges[g].tail)); g = front_.edges[g].next)\n        seen |= see(n, r, g);",
+     "front_.line_before(front_.edges[g].tail)); g = front_.edges[g].next)\n        {}", [PLANE]),
+    ("plane: an old candidate counts as a new one", INCLUDE + "planar/propagate.hpp", "if (!is_current(c) || lines_of(c) != triple(k_.planes(m)) ||",
+     "if (!front_.edges[c.edge].alive || lines_of(c) != triple(k_.planes(m)) ||", [PLANE]),
+    ("plane: slices begin too late", INCLUDE + "planar/event_queue.hpp", "(heap_.empty() || heap_.front().when.last >= begin_[slice_])", "heap_.empty()", [PLANE]),
+    ("plane: a box in two parts is put into one", INCLUDE + "planar/broad_phase.hpp", "for (std::uint32_t j = from[1]; j <= to[1]; ++j)",
+     "for (std::uint32_t j = from[1]; j <= from[1]; ++j)", [PLANE]),
+    ("plane: the side of a convex tail is turned round", INCLUDE + "planar/propagate.hpp", "== front_.vertices[front_.edges[e].tail].reflex) return false;",
+     "!= front_.vertices[front_.edges[e].tail].reflex) return false;", [PLANE]),
+    ("the anchors' differences are forgotten", KERNELS + "estimate.hpp", "if (i == origin) return sum;", "return sum;", [PLANE]),
+    ("drifts count where times differ", KERNELS + "perturbed.hpp", "      if (s != sign::zero) return s;\n      if constexpr (requires { k_.compare_drift",
+     "      if constexpr (requires { k_.compare_drift", [PLANE]),
 ]
 
 

@@ -45,9 +45,9 @@ struct options {
   double until = std::numeric_limits<double>::infinity();
 };
 
-/// One run of the wavefront. Candidates for events are meetings of three lines, nothing more: whether one is an event is read off the
-/// wavefront at its moment, so candidates never become stale. An edge that shrinks is known by its two neighbours. Reflex vertices and the edges
-/// they may reach are found window of time by window of time, by overlapping boxes of what they sweep in it.
+/// One run of the wavefront. A candidate for an event is an edge that vanishes, or a reflex vertex and an edge that it may hit; one whose elements
+/// have changed is dropped, because what changes is looked at anew. What the event is, is read off the wavefront at its moment. Reflex vertices and
+/// the edges they may reach are found window of time by window of time, by overlapping boxes of what they sweep in it.
 template <planar_kernel K, motion_bounds Motion>
 class propagation {
  public:
