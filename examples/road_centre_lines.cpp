@@ -5,8 +5,8 @@
 ///   road_centre_lines FILE
 /// FILE is a polygon, its holes are the blocks between the roads. The result is one line of WKT, a MULTILINESTRING M: a line from junction to
 /// junction, and as the measure M of each point the width of the road there, twice the time of the wavefront. A branch with a dead end that is not
-/// longer than half the road's width where it leaves is a spur of a rounded corner, no road, and is left out. A road with a dead end ends about half its width before the
-/// surface does: from there on arcs lead into the corners.
+/// longer than half the road's width where it leaves is a spur of a rounded corner, no road, and is left out. A road with a dead end ends about half
+/// its width before the surface does: from there on arcs lead into the corners.
 
 #include <algorithm>
 #include <cmath>
@@ -108,12 +108,14 @@ class centre_lines {
 
   void remove(const std::vector<int>& line) {
     for (std::size_t i = 1; i < line.size(); ++i)
-      for (const auto& [n, m] : {std::pair(line[i], line[i - 1]), std::pair(line[i - 1], line[i])}) at_[n].erase(std::find(at_[n].begin(), at_[n].end(), m));
+      for (const auto& [n, m] : {std::pair(line[i], line[i - 1]), std::pair(line[i - 1], line[i])})
+        at_[n].erase(std::find(at_[n].begin(), at_[n].end(), m));
   }
 
   double length(const std::vector<int>& line) const {
     double sum = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) sum += std::hypot(places_[line[i]].x - places_[line[i - 1]].x, places_[line[i]].y - places_[line[i - 1]].y);
+    for (std::size_t i = 1; i < line.size(); ++i)
+      sum += std::hypot(places_[line[i]].x - places_[line[i - 1]].x, places_[line[i]].y - places_[line[i - 1]].y);
     return sum;
   }
 
