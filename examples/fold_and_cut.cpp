@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Fold a sheet of paper flat so that one straight cut gives a shape (Demaine, Demaine, Lubiw 1998): the creases, as SVG.
-///   fold_and_cut FILE
-/// FILE is a polygon without holes; the sheet is a square around it. Creases are the skeletons inside and outside of the shape, drawn red, and
-/// perpendiculars from their nodes to the edges beside them, blue, which go on as mirror images beyond every skeleton arc until they leave the sheet.
-/// The sheet's border is held: only the shape's edges move, and they move until they have covered the sheet. Perpendiculars may go on without end and
-/// fill regions densely; each is followed over 100 creases at most. They are computed with doubles: this is a drawing.
+/// A sheet of paper folded flat so that one straight cut leaves the polygon: the creases after Demaine, Demaine, Lubiw (1998).
+///   fold_and_cut FILE [MARGIN]
+/// FILE is a polygon, with holes if you like; MARGIN is the paper around it, by default a quarter of its greater extent. The result is SVG, in the
+/// coordinates of the file: solid the polygon's sides, which the cut goes along, dashed red the straight skeleton, blue the perpendiculars.
+///
+/// The creases are the skeleton inside and outside, of the polygon alone, as if the paper had no border: nobody cuts along that, so it must not
+/// move, nor stop anything, as even an edge that is held would. What lies beyond the paper is cut off. From each node of the skeleton go
+/// perpendiculars to the edges whose faces they enter there, mirrored at every arc, until they leave the sheet or meet a node. There are polygons
+/// where they never do and lie densely; so each one is given up after a number of arcs, which standard error then tells, as it does where one meets
+/// a node from behind: there the polygon is so special that two perpendiculars would have to lie on each other. The skeleton is exact, the
+/// perpendiculars are doubles: this is a drawing.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
-#include <limits>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -32,168 +39,293 @@
 namespace {
 
 using namespace osteon;
-using point = std::array<double, 2>;
 
-constexpr int sheet = -1;  // the face of its border
-
-/// A straight piece of paper's pattern between two faces, which are edges of the shape; `inside` of the shape or not.
-struct crease {
-  point from;
-  point to;
-  std::array<int, 2> faces;
-  bool inside;
+struct vec {
+  double x, y;
+  friend vec operator+(vec a, vec b) { return {a.x + b.x, a.y + b.y}; }
+  friend vec operator-(vec a, vec b) { return {a.x - b.x, a.y - b.y}; }
+  friend vec operator*(double s, vec a) { return {s * a.x, s * a.y}; }
 };
+double dot(vec a, vec b) { return a.x * b.x + a.y * b.y; }
+double cross(vec a, vec b) { return a.x * b.y - a.y * b.x; }
+double length(vec a) { return std::hypot(a.x, a.y); }
+vec unit(vec a) { return 1 / length(a) * a; }
 
-struct pattern {
-  std::vector<point> shape;
-  std::array<double, 4> paper{};  // left, bottom, width, height
-  std::vector<crease> arcs;
-  std::vector<crease> perpendiculars;
-};
-
-/// Adds the arcs of a polygon's skeleton; edge_of gives the shape's edge for one of the polygon's.
-template <class EdgeOf>
-void add_skeleton(pattern& all, const planar::polygon<integer>& p, bool inside, EdgeOf edge_of) {
-  const std::span<const moving_line<integer>> lines(p.lines);
-  const perturbed kernel(filtered(lines, make_sqrt_kernel(lines), anchors_of(p)));
-  const auto raw = planar::propagation(kernel, p.outline, planar::motion(lines, p.points)).run();
-  const auto skeleton = planar::contract(kernel.base(), p.outline.line, raw);
-  const planar::unit_lines units(lines, p.points);
-  const planar::fast_locator locator(p, units);
-  const auto place = [&](int n) {
-    const auto& node = skeleton.nodes[n];
-    const auto at = node.vertex >= 0 ? locator.vertex(node.vertex) : locator.meeting(node.lines);
-    return point{at.x, at.y};
-  };
-  for (const auto& a : skeleton.arcs) {
-    const crease c = {place(a.source), place(a.target), {edge_of(a.faces[0]), edge_of(a.faces[1])}, inside};
-    if (c.faces[0] != sheet && c.faces[1] != sheet) all.arcs.push_back(c);  // others are the sheet's border
-  }
-}
-
-pattern skeletons(const planar::polygon<integer>& p) {
-  if (p.holes > 0 || p.parts != 1) throw input_error(input_fault::not_polygon, 0, "the shape has holes or several parts", "give one ring");
-  pattern all;
-  const planar::unit_lines units(p.lines, p.points);
-  const planar::fast_locator locator(p, units);
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (std::size_t i = 0; i < p.points.size(); ++i) {
-    const auto at = locator.vertex(static_cast<int>(i));
-    all.shape.push_back({at.x, at.y});
-    low = std::min({low, at.x, at.y});
-    high = std::max({high, at.x, at.y});
-  }
-  const double margin = (high - low) / 2;
-  low -= margin;
-  high += margin;
-  all.paper = {low, low, high - low, high - low};
-  add_skeleton(all, p, true, [](int e) { return e; });
-  const std::vector<std::vector<point>> rings = {{{low, low}, {high, low}, {high, high}, {low, high}}, all.shape};
-  const auto outside = planar::make_polygon(planar::make_rings<integer>(rings, {{0, 0, 0, 0}, std::vector<double>(all.shape.size(), 1)}));
-  // Around a hole edges run the other way, so each ends where that of the shape starts.
-  add_skeleton(all, outside, false, [&](int e) {
-    const int start = outside.input_points[outside.outline.next[e]];
-    return start < 4 ? sheet : start - 4;
-  });
-  return all;
-}
-
-double cross(const point& a, const point& b) { return a[0] * b[1] - a[1] * b[0]; }
-point minus(const point& a, const point& b) { return {a[0] - b[0], a[1] - b[1]}; }
-
-/// Where a ray meets a segment: multiples of d, or infinity. What starts on the segment does not meet it.
-double meets(const point& p, const point& d, const point& from, const point& to, double least) {
-  const point along = minus(to, from);
-  const double det = cross(d, along);
-  const double t = cross(minus(from, p), along) / det;
-  const double u = cross(minus(from, p), d) / det;
-  return det != 0 && t > least && u >= -1e-12 && u <= 1 + 1e-12 ? t : std::numeric_limits<double>::infinity();
-}
-
-/// From a node across a face to the edge of the shape beneath it, and on.
-void follow(pattern& all, point p, int face, bool inside) {
-  const std::size_t n = all.shape.size();
-  const auto edge = [&](int e) { return std::pair(all.shape[static_cast<std::size_t>(e)], all.shape[(static_cast<std::size_t>(e) + 1) % n]); };
-  const auto [a, b] = edge(face);
-  const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
-  point d = {(b[1] - a[1]) / length, (a[0] - b[0]) / length};  // out of the shape
-  if (!inside) d = {-d[0], -d[1]};
-  const double least = all.paper[2] * 1e-9;
-  for (int steps = 0; steps < 100; ++steps) {
-    double first = std::numeric_limits<double>::infinity();
-    const crease* through = nullptr;
-    for (const crease& c : all.arcs)
-      if (c.inside == inside && (c.faces[0] == face || c.faces[1] == face))
-        if (const double t = meets(p, d, c.from, c.to, least); t < first) first = t, through = &c;
-    const auto [from, to] = edge(face);
-    const double home = meets(p, d, from, to, least);
-    double border = std::numeric_limits<double>::infinity();
-    for (std::size_t axis = 0; axis < 2; ++axis)
-      if (d[axis] != 0) border = std::min(border, (all.paper[axis] + (d[axis] > 0 ? all.paper[2] : 0) - p[axis]) / d[axis]);
-    const double t = std::min({first, home, border});
-    const point q = {p[0] + t * d[0], p[1] + t * d[1]};
-    all.perpendiculars.push_back({p, q, {face, face}, inside});
-    p = q;
-    if (t == border) return;
-    if (t == home) {
-      inside = !inside;
-      continue;
+/// Walls cut the plane into faces, one on each side of each edge: the arcs of both skeletons, which are creases, and the edges themselves.
+class fold {
+ public:
+  fold(const planar::polygon<integer>& p, double margin) : vertices_(static_cast<int>(p.points.size())) {
+    for (const auto& l : p.lines)
+      if (l.weight != p.lines[0].weight)
+        throw input_error(input_fault::bad_weight, 0, "paper folds at bisectors only, so no edge may have a weight of its own",
+                          "leave the weights out");
+    const planar::polygon<integer> rest = planar::complement(p);
+    nodes_.resize(vertices_);
+    const auto inner = add_skeleton(p, false);
+    low_ = high_ = nodes_[0].at;
+    for (int v = 0; v < vertices_; ++v) {
+      low_ = {std::min(low_.x, nodes_[v].at.x), std::min(low_.y, nodes_[v].at.y)};
+      high_ = {std::max(high_.x, nodes_[v].at.x), std::max(high_.y, nodes_[v].at.y)};
     }
-    for (const point& end : {through->from, through->to})  // from there the node's own ones go on
-      if (std::hypot(end[0] - p[0], end[1] - p[1]) < least) return;
-    const point along = minus(through->to, through->from);
-    const double twice = 2 * (d[0] * along[0] + d[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
-    d = {twice * along[0] - d[0], twice * along[1] - d[1]};
-    face = through->faces[through->faces[0] == face ? 1 : 0];
+    size_ = std::max(high_.x - low_.x, high_.y - low_.y);
+    const double m = margin > 0 ? margin : size_ / 4;
+    low_ = low_ - vec{m, m};
+    high_ = high_ + vec{m, m};
+    size_ += 2 * m;
+    const auto outer = add_skeleton(rest, true);
+    for (int v = 0; v < vertices_; ++v) {
+      const int w = p.outline.next[v];
+      add_wall({v, w, nodes_[v].at, nodes_[w].at, {inner[v], vertices_ + outer[w]}, false});
+    }
   }
-}
 
-void draw(const pattern& all) {
-  const auto line = [&](const point& a, const point& b, const char* kind) {
-    std::printf("<line class=\"%s\" x1=\"%.10g\" y1=\"%.10g\" x2=\"%.10g\" y2=\"%.10g\"/>\n", kind, a[0], -a[1], b[0], -b[1]);
+  /// From each node of the skeleton on the paper. The others' do not matter: creases that only pass can be left out.
+  void add_perpendiculars() {
+    for (int n = vertices_; n < static_cast<int>(nodes_.size()); ++n)
+      if (is_on_paper(nodes_[n].at)) find_starts(n);
+    for (auto& [s, taken] : starts_)
+      if (!taken) follow(s);
+  }
+
+  void write() const {
+    std::printf("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"800\" viewBox=\"%.15g %.15g %.15g %.15g\">\n", low_.x, -high_.y, high_.x - low_.x,
+                high_.y - low_.y);
+    std::printf(
+        "<style>* { fill: none; stroke-width: %.3g } .paper { fill: white } .side { stroke: black; stroke-width: %.3g; stroke-linecap: round }\n",
+        size_ / 400, size_ / 150);
+    std::printf(".arc { stroke: #c03020; stroke-dasharray: %.3g } .perpendicular { stroke: #3060c0; stroke-width: %.3g }</style>\n", size_ / 80,
+                size_ / 600);
+    std::printf("<g transform=\"scale(1,-1)\">\n<rect class=\"paper\" x=\"%.15g\" y=\"%.15g\" width=\"%.15g\" height=\"%.15g\"/>\n", low_.x, low_.y,
+                high_.x - low_.x, high_.y - low_.y);
+    int arcs = 0;
+    for (const bool crease : {true, false})
+      for (const wall& w : walls_) {
+        vec a = w.a;
+        vec b = w.b;
+        if (w.crease != crease || !clip(a, b)) continue;
+        write_line(crease ? "arc" : "side", {a, b});
+        if (crease) ++arcs;
+      }
+    for (const auto& p : perpendiculars_) write_line("perpendicular", p);
+    std::printf("</g>\n</svg>\n");
+    std::fprintf(stderr, "%d arcs, %zu perpendiculars\n", arcs, perpendiculars_.size());
+    if (endless_ > 0) std::fprintf(stderr, "%d perpendiculars were given up after %d arcs\n", endless_, most_arcs);
+    if (behind_ > 0) std::fprintf(stderr, "%d perpendiculars meet a node from behind and end there; move a vertex a little to avoid that\n", behind_);
+  }
+
+ private:
+  static constexpr int most_arcs = 100;  // that a perpendicular crosses
+
+  struct node {
+    vec at{};
+    std::vector<int> walls;
   };
-  const double pen = all.paper[2] / 400;
-  std::printf("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"%.10g %.10g %.10g %.10g\" width=\"800\">\n", all.paper[0],
-              -all.paper[1] - all.paper[3], all.paper[2], all.paper[3]);
-  std::printf(
-      "<style>line{stroke-width:%.6g;stroke-linecap:round} .cut{stroke:black;stroke-width:%.6g} .arc{stroke:#c22} "
-      ".perpendicular{stroke:#25c}</style>\n",
-      pen, 2 * pen);
-  std::printf("<rect x=\"%.10g\" y=\"%.10g\" width=\"%.10g\" height=\"%.10g\" fill=\"white\" stroke=\"black\" stroke-width=\"%.6g\"/>\n",
-              all.paper[0], -all.paper[1] - all.paper[3], all.paper[2], all.paper[3], pen);
-  for (const crease& c : all.perpendiculars) line(c.from, c.to, "perpendicular");
-  for (const crease& c : all.arcs) line(c.from, c.to, "arc");
-  for (std::size_t i = 0; i < all.shape.size(); ++i) line(all.shape[i], all.shape[(i + 1) % all.shape.size()], "cut");
-  std::printf("</svg>\n");
-}
+  struct wall {
+    int from;
+    int to;  ///< -1: never ends; then b is far away
+    vec a, b;
+    std::array<int, 2> faces;
+    bool crease;
+  };
+  struct face {
+    vec down{};  ///< the direction towards its edge
+    std::vector<int> walls;
+  };
+
+  struct start {
+    int node;
+    int face;
+    bool down;  ///< to the edge, or away from it
+    friend auto operator<=>(const start&, const start&) = default;
+  };
+
+  void add_wall(const wall& w) {
+    const int i = static_cast<int>(walls_.size());
+    walls_.push_back(w);
+    for (const int f : w.faces) faces_[f].walls.push_back(i);
+    nodes_[w.from].walls.push_back(i);
+    if (w.to >= 0) nodes_[w.to].walls.push_back(i);
+  }
+
+  // Returns the face in front of each edge.
+  std::vector<int> add_skeleton(const planar::polygon<integer>& p, bool outside) {
+    const std::span<const moving_line<integer>> lines(p.lines);
+    const perturbed kernel(filtered(lines, make_sqrt_kernel(lines), anchors_of(p)));
+    const planar::motion motion(lines, p.points, outside);
+    const planar::unit_lines units(lines, p.points);
+    const planar::fast_locator locator(p, units);
+    planar::options o{.outside = outside};
+    // No edge's line is farther than that from any place on the paper.
+    if (outside) o.until = motion.moment(locator.unit().to_integers(rational(2 * size_)).convert_to<double>());
+    const auto raw = planar::propagation(kernel, p.outline, motion, o).run();
+    const auto skeleton = planar::contract(kernel.base(), p.outline.line, raw);
+    const int first = static_cast<int>(faces_.size());
+    for (const int l : p.outline.line) faces_.push_back({{units.lines[l].n[0].high, units.lines[l].n[1].high}, {}});
+    std::vector<int> number;
+    for (int v = 0; v < vertices_; ++v) nodes_[v].at = at(locator.vertex(v));
+    for (const auto& n : skeleton.nodes) {
+      number.push_back(n.vertex >= 0 ? n.vertex : static_cast<int>(nodes_.size()));
+      if (n.vertex < 0) nodes_.push_back({at(locator.meeting(n.lines)), {}});
+    }
+    for (const auto& a : skeleton.arcs) {
+      const vec from = nodes_[number[a.source]].at;
+      const vec m = faces_[first + a.faces[0]].down;
+      const vec n = faces_[first + a.faces[1]].down;
+      // An arc that never ends moves with the velocity v where m v = n v = -1.
+      const vec far = a.target >= 0 ? vec{} : from + 8 * (size_ + length(from - low_)) * unit(1 / cross(m, n) * vec{m.y - n.y, n.x - m.x});
+      const int to = a.target >= 0 ? number[a.target] : -1;
+      add_wall({number[a.source], to, from, to >= 0 ? nodes_[to].at : far, {first + a.faces[0], first + a.faces[1]}, true});
+    }
+    return raw.faces;
+  }
+  static vec at(const planar::located& p) { return {p.x, p.y}; }
+
+  vec direction(const wall& w, int from) const { return unit(w.from == from ? w.b - w.a : w.a - w.b); }
+
+  void find_starts(int n) {
+    auto around = nodes_[n].walls;
+    const auto angle = [&](vec d) { return std::atan2(d.y, d.x); };
+    std::sort(around.begin(), around.end(), [&](int v, int w) { return angle(direction(walls_[v], n)) < angle(direction(walls_[w], n)); });
+    // The face behind each wall: one of the first wall's two, and from there on each wall leads from one of its faces to the other.
+    for (const int first : walls_[around[0]].faces) {
+      std::vector<int> behind = {first};
+      while (behind.size() <= around.size()) {
+        const auto& f = walls_[around[behind.size() % around.size()]].faces;
+        if (f[0] != behind.back() && f[1] != behind.back()) break;
+        behind.push_back(f[f[0] == behind.back() ? 1 : 0]);
+      }
+      if (behind.size() <= around.size() || behind.back() != first) continue;
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        const vec here = direction(walls_[around[i]], n);
+        const vec next = direction(walls_[around[(i + 1) % around.size()]], n);
+        const vec down = faces_[behind[i]].down;
+        const auto turn = [&](vec d) { return std::fmod(angle(d) - angle(here) + 4 * std::acos(-1.0), 2 * std::acos(-1.0)); };
+        if (turn(down) < turn(next)) starts_[{n, behind[i], true}] = false;
+        // Two edges on one line have become one: where their tracks touch is a crease, too, the bisector of those edges.
+        if (turn(-1 * down) < turn(next) && dot(here, down) > 0 && dot(next, down) > 0) starts_[{n, behind[i], false}] = false;
+      }
+      return;
+    }
+    throw invariant_error("the faces around a node do not fit");
+  }
+
+  void follow(const start& s) {
+    std::vector<vec> way = {nodes_[s.node].at};
+    int f = s.face;
+    bool down = s.down;
+    std::vector<int> skip = nodes_[s.node].walls;
+    for (int arcs = 0;;) {
+      const vec p = way.back();
+      const vec d = down ? faces_[f].down : -1 * faces_[f].down;
+      int hit = -1;
+      double nearest = 4 * size_;
+      for (const int i : faces_[f].walls) {
+        const wall& w = walls_[i];
+        const vec along = w.b - w.a;
+        const double part = cross(w.a - p, d) / cross(d, along);
+        const double t = cross(w.a - p, along) / cross(d, along);
+        if (std::find(skip.begin(), skip.end(), i) == skip.end() && part > -near && part < 1 + near && t > 0 && t < nearest) {
+          nearest = t;
+          hit = i;
+        }
+      }
+      vec q = p + nearest * d;
+      int n = -1;
+      if (hit >= 0)
+        for (const int end : {walls_[hit].from, walls_[hit].to})
+          if (end >= 0 && length(nodes_[end].at - q) < near * size_) n = end;
+      if (n >= 0) q = nodes_[n].at;
+      const bool leaves = !is_on_paper(q);
+      if (leaves) {
+        vec from = p;
+        clip(from, q);
+      }
+      way.push_back(q);
+      if (leaves || hit < 0) break;
+      if (n >= vertices_) {  // from there the same one starts, unless this one comes from behind
+        const auto same = starts_.find({n, f, !down});
+        if (same == starts_.end())
+          ++behind_;
+        else
+          same->second = true;
+        break;
+      }
+      if (n >= 0) hit = arc_at(n, f);
+      if (walls_[hit].crease && ++arcs > most_arcs) {
+        ++endless_;
+        break;
+      }
+      // Across a bisector the perpendicular of one edge becomes that of the other.
+      const wall& w = walls_[hit];
+      const vec u = unit(w.b - w.a);
+      f = w.faces[w.faces[0] == f ? 1 : 0];
+      down = dot(d - 2 * dot(d, u) * u, faces_[f].down) > 0;
+      skip = n >= 0 ? nodes_[n].walls : std::vector{hit};
+    }
+    perpendiculars_.push_back(way);
+  }
+
+  // The arc between the faces at a vertex of the polygon, of which f is one.
+  int arc_at(int vertex, int f) const {
+    for (const int i : nodes_[vertex].walls)
+      if (walls_[i].crease && (walls_[i].faces[0] == f || walls_[i].faces[1] == f)) return i;
+    throw invariant_error("a vertex has no arc");
+  }
+
+  bool is_on_paper(vec p) const { return p.x > low_.x && p.x < high_.x && p.y > low_.y && p.y < high_.y; }
+
+  // What of a segment is on the paper; false: nothing.
+  bool clip(vec& a, vec& b) const {
+    const vec d = b - a;
+    double first = 0;
+    double last = 1;
+    for (const auto& [speed, room] :
+         {std::pair(-d.x, a.x - low_.x), std::pair(d.x, high_.x - a.x), std::pair(-d.y, a.y - low_.y), std::pair(d.y, high_.y - a.y)}) {
+      if (speed < 0) first = std::max(first, room / speed);
+      if (speed > 0) last = std::min(last, room / speed);
+      if (speed == 0 && room < 0) return false;
+    }
+    if (first >= last) return false;
+    b = a + last * d;
+    a = a + first * d;
+    return true;
+  }
+
+  static void write_line(const char* what, const std::vector<vec>& points) {
+    std::printf("<polyline class=\"%s\" points=\"", what);
+    for (const vec& p : points) std::printf(" %.15g,%.15g", p.x, p.y);
+    std::printf("\"/>\n");
+  }
+
+  static constexpr double near = 1e-10;  // what is no farther apart, of the paper's size, is one point
+
+  int vertices_;
+  vec low_{}, high_{};  // the paper
+  double size_ = 0;
+  std::vector<node> nodes_;  // the polygon's vertices come first
+  std::vector<wall> walls_;
+  std::vector<face> faces_;       // inside by edge, then outside
+  std::map<start, bool> starts_;  // of perpendiculars, and whether another one has come there
+  std::vector<std::vector<vec>> perpendiculars_;
+  int endless_ = 0;
+  int behind_ = 0;
+};
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: fold_and_cut FILE\n");
+  const double margin = argc > 2 ? std::atof(argv[2]) : 0;
+  if (argc < 2 || argc > 3 || (argc > 2 && !(margin > 0))) {
+    std::fprintf(stderr, "usage: fold_and_cut FILE [MARGIN], with a MARGIN above 0\n");
     return 2;
   }
   try {
     std::ifstream in(argv[1], std::ios::binary);
-    pattern all = skeletons(planar::make_polygon(planar::read_polygon<integer>(in, argv[1])));
-    // Nodes: the ends of arcs that are neither corners of the shape nor on the border, once for each face around them.
-    std::vector<std::pair<point, crease>> starts;
-    const double least = all.paper[2] * 1e-9;
-    const auto near = [least](const point& a, const point& b) { return std::hypot(a[0] - b[0], a[1] - b[1]) < least; };
-    for (const crease& c : all.arcs)
-      for (const point& end : {c.from, c.to})
-        for (const int face : c.faces) {
-          bool skip = false;
-          for (const point& corner : all.shape) skip = skip || near(end, corner);
-          for (std::size_t axis = 0; axis < 2; ++axis)
-            skip = skip || end[axis] - all.paper[axis] < least || all.paper[axis] + all.paper[2] - end[axis] < least;
-          for (const auto& [p, other] : starts) skip = skip || (near(p, end) && other.faces[0] == face && other.inside == c.inside);
-          if (!skip) starts.push_back({end, {end, end, {face, face}, c.inside}});
-        }
-    for (const auto& [p, c] : starts) follow(all, p, c.faces[0], c.inside);
-    draw(all);
+    const auto polygon = planar::make_polygon(planar::read_polygon<integer>(in, argv[1]));
+    for (const auto& repair : polygon.repairs) std::fprintf(stderr, "fold_and_cut: note: %s\n", repair.c_str());
+    fold creases(polygon, margin);
+    creases.add_perpendiculars();
+    creases.write();
     return 0;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "fold_and_cut: %s\n", e.what());

@@ -97,7 +97,9 @@ int main(int argc, char** argv) {
     std::ifstream in(argv[1], std::ios::binary);
     auto rings = planar::read_polygon<integer>(in, argv[1]);
     if (argc > 3) hold(rings, std::strtoul(argv[3], nullptr, 10));
-    const auto mesh = build(planar::make_polygon(std::move(rings)), degrees);
+    const auto polygon = planar::make_polygon(std::move(rings));
+    for (const auto& repair : polygon.repairs) std::fprintf(stderr, "hip_roof: note: %s\n", repair.c_str());
+    const auto mesh = build(polygon, degrees);
     planar::write_obj(std::cout, mesh);
     report(mesh);
     return 0;

@@ -4,16 +4,20 @@
 /// Centre lines of roads: the arcs of the straight skeleton of the roads' surface that touch no corner of it.
 ///   road_centre_lines FILE
 /// FILE is a polygon, its holes are the blocks between the roads. The result is one line of WKT, a MULTILINESTRING M: a line from junction to
-/// junction, and as the measure M of each point the width of the road there, twice the time of the wavefront. A branch with a dead end that is not
-/// longer than half the road's width where it leaves is a spur of a rounded corner, no road, and is left out. A road with a dead end ends about half
-/// its width before the surface does: from there on arcs lead into the corners.
+/// junction, and as the measure M of each point the width of the road there, twice the time of the wavefront.
+/// Where a road leaves between two sides on one line, these become one edge of the wavefront, which passes the mouth: the road is led on across the
+/// track of that edge. A branch with a dead end that is not longer than half the road's width where it leaves is a spur of a rounded corner, no
+/// road, and is left out. A road with a dead end stops about half its width before its surface does, where the arcs into the corners begin.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "osteon/kernel/anchors.hpp"
@@ -31,7 +35,6 @@ namespace {
 
 using namespace osteon;
 
-/// What is left of the skeleton: a graph from which arcs are taken.
 class centre_lines {
  public:
   explicit centre_lines(const planar::polygon<integer>& p) {
@@ -43,42 +46,45 @@ class centre_lines {
     const planar::fast_locator locator(p, units);
     for (const auto& n : skeleton.nodes) places_.push_back(n.vertex >= 0 ? locator.vertex(n.vertex) : locator.meeting(n.lines));
     at_.resize(places_.size());
-    for (const auto& a : skeleton.arcs)
-      if (skeleton.nodes[a.source].vertex < 0) {
-        at_[a.source].push_back(a.target);
-        at_[a.target].push_back(a.source);
-      }
+    std::map<std::pair<int, int>, int> corners;  // how many arcs lead from vertices to a node beside a face
+    for (const auto& a : skeleton.arcs) {
+      if (skeleton.nodes[a.source].vertex < 0)
+        join(a.source, a.target);
+      else
+        for (const int f : a.faces) ++corners[{a.target, f}];
+    }
+    for (const auto& [key, count] : corners) {
+      const auto& n = units.lines[p.outline.line[key.second]].n;
+      if (count == 2) lead_on(skeleton, key.first, key.second, {-n[0].high, -n[1].high});
+    }
+    cut_arcs(skeleton);
   }
 
-  /// Takes spurs away, shorter ones first, until there are none.
+  /// Takes spurs away, the shortest first, until there are none.
   void prune() {
-    while (true) {
-      std::vector<int> shortest;
+    for (std::vector<int> spur = {0}; !spur.empty(); remove(spur)) {
+      spur.clear();
+      mark();
       for (int n = 0; n < nodes(); ++n) {
         if (at_[n].size() != 1) continue;
         const auto branch = walk(n, at_[n][0]);
-        if (at_[branch.back()].size() > 2 && length(branch) <= places_[branch.back()].time * (1 + 1e-9) &&
-            (shortest.empty() || length(branch) < length(shortest)))
-          shortest = branch;
+        const int junction = branch.back();
+        if (at_[junction].size() > 2 && length(branch) <= places_[junction].time * (1 + 1e-9) && (spur.empty() || length(branch) < length(spur)))
+          spur = branch;
       }
-      if (shortest.empty()) return;
-      remove(shortest);
     }
   }
 
+  /// On standard output, each line from junction to junction once.
   void write() {
     std::vector<std::vector<int>> all;
-    const auto take = [&](int n) {
-      while (!at_[n].empty()) {
-        all.push_back(walk(n, at_[n][0]));
-        remove(all.back());
-      }
-    };
-    std::vector<int> ends;
-    for (int n = 0; n < nodes(); ++n)
-      if (at_[n].size() != 2) ends.push_back(n);
-    for (const int n : ends) take(n);
-    for (int n = 0; n < nodes(); ++n) take(n);  // rings without a junction
+    mark();
+    for (const bool rings : {false, true})  // at last those without a junction
+      for (int n = 0; n < nodes(); ++n)
+        while (is_inner_[n] == rings && !at_[n].empty()) {
+          all.push_back(walk(n, at_[n][0]));
+          remove(all.back());
+        }
     double sum = 0;
     std::printf("MULTILINESTRING M %s", all.empty() ? "EMPTY" : "");
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -94,33 +100,104 @@ class centre_lines {
   }
 
  private:
+  struct cut {
+    int arc;
+    double part;  ///< of its length, from the source
+    int node;
+    friend bool operator<(const cut& a, const cut& b) { return std::pair(a.arc, a.part) < std::pair(b.arc, b.part); }
+  };
+
   int nodes() const { return static_cast<int>(at_.size()); }
+
+  void join(int n, int m) {
+    at_[n].push_back(m);
+    at_[m].push_back(n);
+  }
+  void part(int n, int m) {
+    at_[n].erase(std::find(at_[n].begin(), at_[n].end(), m));
+    at_[m].erase(std::find(at_[m].begin(), at_[m].end(), n));
+  }
+  void remove(const std::vector<int>& line) {
+    for (std::size_t i = 1; i < line.size(); ++i) part(line[i - 1], line[i]);
+  }
+
+  // In front of two vertices where the same face begins is a dead end, which lies before the face's edge, or a mouth, which lies behind it. From
+  // there a line leads to the next arc of the face.
+  void lead_on(const planar::contracted_skeleton& s, int node, int face, const std::array<double, 2>& inwards) {
+    const planar::located& p = places_[node];
+    const auto height = [&](const planar::located& q) { return inwards[0] * (q.x - p.x) + inwards[1] * (q.y - p.y); };
+    const auto beside = [&](const planar::located& q) { return inwards[0] * (q.y - p.y) - inwards[1] * (q.x - p.x); };
+    if (at_[node].empty() || std::any_of(at_[node].begin(), at_[node].end(), [&](int m) { return height(places_[m]) >= 0; })) return;
+    cut next{-1, 0, -1};
+    double nearest = 0;
+    for (std::size_t i = 0; i < s.arcs.size(); ++i) {
+      const auto& a = s.arcs[i];
+      const double from = beside(places_[a.source]);
+      const double to = beside(places_[a.target]);
+      if ((a.faces[0] != face && a.faces[1] != face) || a.source == node || a.target == node || (from > 0) == (to > 0)) continue;
+      const double u = from / (from - to);
+      const double way = (1 - u) * height(places_[a.source]) + u * height(places_[a.target]);
+      if (way > 0 && (next.arc < 0 || way < nearest)) {
+        next = {static_cast<int>(i), u, -1};
+        nearest = way;
+      }
+    }
+    if (next.arc < 0) return;
+    const auto& a = s.arcs[next.arc];
+    if (next.part > 1 - 1e-9 || s.nodes[a.source].vertex >= 0) return join(node, a.target);
+    if (next.part < 1e-9) return join(node, a.source);
+    next.node = nodes();
+    const planar::located from = places_[a.source];
+    const planar::located to = places_[a.target];
+    const auto between = [&](double x, double y) { return x + next.part * (y - x); };
+    places_.push_back({between(from.x, to.x), between(from.y, to.y), between(from.time, to.time)});
+    at_.emplace_back();
+    join(node, next.node);
+    cuts_.push_back(next);
+  }
+
+  void cut_arcs(const planar::contracted_skeleton& s) {
+    std::sort(cuts_.begin(), cuts_.end());
+    for (std::size_t i = 0; i < cuts_.size(); ++i) {
+      const auto& c = cuts_[i];
+      const auto& a = s.arcs[c.arc];
+      const int before = i > 0 && cuts_[i - 1].arc == c.arc ? cuts_[i - 1].node : a.source;
+      part(before, a.target);
+      join(before, c.node);
+      join(c.node, a.target);
+    }
+  }
+
+  // Junctions and ends stay what they are while lines are removed.
+  void mark() {
+    is_inner_.resize(at_.size());
+    for (int n = 0; n < nodes(); ++n) is_inner_[n] = at_[n].size() == 2;
+  }
 
   // From a node over another one to the next junction or end, or round to the first.
   std::vector<int> walk(int from, int to) const {
     std::vector<int> line = {from, to};
-    while (at_[line.back()].size() == 2 && line.back() != from) {
+    while (is_inner_[line.back()] && line.back() != from) {
       const auto& next = at_[line.back()];
       line.push_back(next[next[0] == line[line.size() - 2] ? 1 : 0]);
     }
     return line;
   }
 
-  void remove(const std::vector<int>& line) {
-    for (std::size_t i = 1; i < line.size(); ++i)
-      for (const auto& [n, m] : {std::pair(line[i], line[i - 1]), std::pair(line[i - 1], line[i])})
-        at_[n].erase(std::find(at_[n].begin(), at_[n].end(), m));
-  }
-
   double length(const std::vector<int>& line) const {
     double sum = 0;
-    for (std::size_t i = 1; i < line.size(); ++i)
-      sum += std::hypot(places_[line[i]].x - places_[line[i - 1]].x, places_[line[i]].y - places_[line[i - 1]].y);
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const auto& p = places_[line[i - 1]];
+      const auto& q = places_[line[i]];
+      sum += std::hypot(q.x - p.x, q.y - p.y);
+    }
     return sum;
   }
 
-  std::vector<planar::located> places_;
-  std::vector<std::vector<int>> at_;  // neighbours of a node
+  std::vector<planar::located> places_;  // of nodes
+  std::vector<std::vector<int>> at_;     // neighbours of a node
+  std::vector<bool> is_inner_;           // has two neighbours
+  std::vector<cut> cuts_;
 };
 
 }  // namespace
@@ -132,7 +209,9 @@ int main(int argc, char** argv) {
   }
   try {
     std::ifstream in(argv[1], std::ios::binary);
-    centre_lines lines(planar::make_polygon(planar::read_polygon<integer>(in, argv[1])));
+    const auto polygon = planar::make_polygon(planar::read_polygon<integer>(in, argv[1]));
+    for (const auto& repair : polygon.repairs) std::fprintf(stderr, "road_centre_lines: note: %s\n", repair.c_str());
+    centre_lines lines(polygon);
     lines.prune();
     lines.write();
     return 0;
