@@ -63,7 +63,7 @@ TEST(BoxTree, FindsWhatOverlaps) {
           if (late == 0) tree.build();
           for (int question = 0; question < 40; ++question) {
             const box b = draw(roll);
-            tree.prefetch(b);
+            for (const bool deep : {false, true}) tree.prefetch(b, deep);
             std::set<int> found;
             tree.search(b, [&found](int id) { found.insert(id); });
             for (std::size_t i = 0; i < size; ++i)

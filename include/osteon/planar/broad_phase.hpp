@@ -50,8 +50,9 @@ struct box {
 };
 
 /// Boxes of numbered things in a tree of grids: a cell with too many boxes is cut into so many parts, along one axis or both, that few boxes are in
-/// each and few in several. Expected constant time for an insertion where boxes are spread evenly, logarithmic otherwise; a search visits the leaves
-/// that the box meets. Boxes are rounded outwards to a grid of 2^32 by 2^32, so that a leaf's fit into a few cache lines.
+/// each and few in several. Expected constant time for an insertion where boxes are spread evenly; where they crowd, a level more for each cut, at
+/// most 64; a search visits the leaves that the box meets. Boxes are rounded outwards to a grid of 2^32 by 2^32, so that a leaf's fit into a few
+/// cache lines.
 class box_tree {
  public:
   /// Empties the tree. `frame`: where boxes will be, about; others are moved to its border.
@@ -81,11 +82,23 @@ class box_tree {
     search(0, whole, rounded(b, -1), body);
   }
 
-  /// The neighbourhood of this box will be asked for soon.
-  void prefetch(const box& b) const {
-    if (nodes_.empty() || nodes_[0].child < 0) return;
-    each_part(0, whole, rounded(box::at({(b.low[0] + b.high[0]) / 2, (b.low[1] + b.high[1]) / 2}), -1),
-              [&](int child, const cell&) { osteon::prefetch(&nodes_[child]); });
+  /// What is around this box will be asked for soon. To be called for many boxes, then for all of them with `deep`: only so do they wait together.
+  void prefetch(const box& b, bool deep) const {
+    if (nodes_.empty()) return;
+    const entry e = rounded(box::at({(b.low[0] + b.high[0]) / 2, (b.low[1] + b.high[1]) / 2}), -1);
+    int at = 0;
+    cell c = whole;
+    do {
+      if (nodes_[at].child < 0) break;
+      each_part(at, c, e, [&](int child, const cell& part) {
+        at = child;
+        c = part;
+      });
+    } while (deep);
+    if (!deep)
+      osteon::prefetch(nodes_[at]);
+    else if (nodes_[at].first >= 0)
+      osteon::prefetch(blocks_[nodes_[at].first]);
   }
 
  private:

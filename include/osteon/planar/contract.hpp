@@ -75,12 +75,13 @@ class contraction {
 
   void merge_nodes() {
     place_of_.resize(raw_.nodes.size());
-    std::unordered_map<line_id, std::vector<int>> here;  // places of the moment on each line, in their order
+    places_.reserve(raw_.nodes.size());
+    moments_.reserve(raw_.nodes.size());
+    std::size_t first = 0;  // node of the moment
     for (std::size_t n = 0; n < raw_.nodes.size(); ++n) {
       const auto& node = raw_.nodes[n];
       if (node.vertex >= 0) {
-        place_of_[n] = static_cast<int>(places_.size());
-        places_.push_back({static_cast<int>(n), -1, {node.lines[0], node.lines[1]}});
+        place_of_[n] = add_place(n, -1, {node.lines[0], node.lines[1]});
         continue;
       }
       const auto when = k_.meet(node.lines);
@@ -89,11 +90,33 @@ class contraction {
                                 std::to_string(node.lines[1]) + " and " + std::to_string(node.lines[2]) +
                                 ": whether the polygon is open between them cannot be told; cure: move one of them a little");
       if (moments_.empty() || k_.compare(moments_.back(), *when) != sign::zero) {
+        if (!moments_.empty()) merge_moment(first, n);
         moments_.push_back(*when);
-        here.clear();
+        first = n;
       }
-      const int fresh = static_cast<int>(places_.size());
-      places_.push_back({static_cast<int>(n), static_cast<int>(moments_.size()) - 1, corner_of(node.lines)});
+    }
+    if (!moments_.empty()) merge_moment(first, raw_.nodes.size());
+    for (int& p : place_of_) p = root(p);
+  }
+
+  int add_place(std::size_t node, int moment, const std::array<line_id, 2>& corner) {
+    places_.push_back({static_cast<int>(node), moment, corner});
+    return static_cast<int>(places_.size()) - 1;
+  }
+
+  // Places for the nodes from first to last, which are those of the latest moment.
+  void merge_moment(std::size_t first, std::size_t last) {
+    const int moment = static_cast<int>(moments_.size()) - 1;
+    if (last - first == 1) {
+      place_of_[first] = add_place(first, moment, corner_of(raw_.nodes[first].lines));
+      return;
+    }
+    crowded_.resize(raw_.nodes.size());
+    std::fill(crowded_.begin() + static_cast<std::ptrdiff_t>(first), crowded_.begin() + static_cast<std::ptrdiff_t>(last), true);
+    std::unordered_map<line_id, std::vector<int>> here;  // places on each line, in their order
+    for (std::size_t n = first; n < last; ++n) {
+      const auto& node = raw_.nodes[n];
+      const int fresh = add_place(n, moment, corner_of(node.lines));
       int found = -1;
       std::array<int, 3> at{};
       for (int r = 0; r < 3; ++r) {
@@ -115,7 +138,6 @@ class contraction {
         if (at[r] == static_cast<int>(places.size()) || root(places[at[r]]) != place_of_[n]) places.insert(places.begin() + at[r], place_of_[n]);
       }
     }
-    for (int& p : place_of_) p = root(p);
   }
 
   int root(int p) const {
@@ -157,29 +179,31 @@ class contraction {
           }
       if (arc.target < 0)
         add_stretch(from, -1 - static_cast<int>(a), arc.faces);
-      else if (const int to = place_of_[arc.target]; is_instant(from, to))
-        cut_ridge(arc, from, to);
-      else if (from != to)
-        add_stretch(from, to, arc.faces);
+      else if (const int to = place_of_[arc.target]; from != to)
+        is_instant(arc) ? cut_ridge(arc, from, to) : add_stretch(from, to, arc.faces);
     }
   }
 
-  bool is_instant(int from, int to) const { return from != to && places_[from].moment >= 0 && places_[from].moment == places_[to].moment; }
+  bool is_instant(const skeleton::arc& arc) const {
+    if (arc.target < 0 || crowded_.empty() || !crowded_[arc.source] || !crowded_[arc.target]) return false;
+    const int from = root(place_of_[arc.source]);
+    const int to = root(place_of_[arc.target]);
+    return from != to && places_[from].moment == places_[to].moment;
+  }
 
   // The lines of an arc without duration coincide, and with them perhaps others of that moment. A ridge is such a line with the places on it in their
   // order; those that fall together are one.
   void find_ridges() {
     for (const auto& arc : raw_.arcs) {  // places without a common line are one where an arc of no length joins them
-      const int p = arc.target < 0 ? -1 : root(place_of_[arc.source]);
-      const int q = arc.target < 0 ? -1 : root(place_of_[arc.target]);
-      if (p < 0 || !is_instant(p, q)) continue;
+      if (!is_instant(arc)) continue;
+      const int p = root(place_of_[arc.source]);
+      const int q = root(place_of_[arc.target]);
       const auto& corner = places_[q].corner;
       if (side(corner[0], places_[p]) == sign::zero && side(corner[1], places_[p]) == sign::zero) places_[std::max(p, q)].same = std::min(p, q);
     }
     for (int& p : place_of_) p = root(p);
-    for (std::size_t a = 0; a < raw_.arcs.size(); ++a) {
-      const auto& arc = raw_.arcs[a];
-      if (arc.target < 0 || !is_instant(place_of_[arc.source], place_of_[arc.target])) continue;
+    for (const auto& arc : raw_.arcs) {
+      if (!is_instant(arc)) continue;
       const int m = places_[place_of_[arc.source]].moment;
       auto& same = ridge_of_[m];
       const line_id of = ridge(same, line_[arc.faces[1]]);
@@ -254,9 +278,24 @@ class contraction {
     for (const int f : faces) sides_.push_back({from, to, f});
   }
 
+  // By first places, each of which has few.
+  void sort_sides() {
+    std::vector<int> end(places_.size() + 1, 0);  // of the sides at a place; first where they begin
+    for (const auto& s : sides_) ++end[s[0] + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<side_of_stretch> sorted(sides_.size());
+    for (const auto& s : sides_) sorted[end[s[0]]++] = s;
+    sides_ = std::move(sorted);
+    int first = 0;
+    for (std::size_t p = 0; p < places_.size(); ++p) {
+      std::sort(sides_.begin() + first, sides_.begin() + end[p]);
+      first = end[p];
+    }
+  }
+
   // A face that is met an even number of times is on both sides of a stretch, which then does not bound it.
   void match_sides() {
-    std::sort(sides_.begin(), sides_.end());
+    sort_sides();
     for (std::size_t i = 0; i < sides_.size();) {
       const int from = sides_[i][0];
       const int to = sides_[i][1];
@@ -336,6 +375,7 @@ class contraction {
   std::vector<meeting> moments_;  // all that are different
   std::vector<place> places_;     // in order of time
   std::vector<int> place_of_;
+  std::vector<bool> crowded_;                                     // by node: others are of the same moment; empty: none
   std::unordered_map<int, coincidence> ridge_of_;                 // by moment
   std::unordered_map<std::uint64_t, std::vector<int>> on_ridge_;  // places in order
   std::vector<side_of_stretch> sides_;

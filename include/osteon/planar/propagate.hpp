@@ -112,7 +112,7 @@ class propagation {
   static constexpr interval never = {infinity, infinity};
 
   // What is known of the way of a vertex.
-  struct track {
+  struct alignas(64) track {
     typename Motion::path path;
     box swept{};                                                    ///< what it sweeps in this window
     double known_until = -std::numeric_limits<double>::infinity();  ///< so far that reaches
@@ -433,47 +433,45 @@ class propagation {
 
   // ---- events
 
-  // Brings near what the handling of these candidates will ask for, stage by stage: at each, all wait together.
+  // Brings near what the handling of these candidates will ask for: their elements and their neighbours along the wavefront, step by step, at each of
+  // which all wait together.
   void warm(const std::vector<candidate>& candidates) {
-    const auto each_edge = [&](auto body) {
-      for (const candidate& c : candidates) body(c.edge);
-    };
-    const auto each_vertex = [&](auto body) {
+    for (const candidate& c : candidates) {
+      prefetch(front_.edges[c.edge]);
+      if (c.vertex >= 0) prefetch(front_.vertices[c.vertex]);
+    }
+    walkers_.clear();
+    for (const candidate& c : candidates) {
+      prefetch(collapse_[c.edge]);
+      prefetch_line(front_.edges[c.edge].line);
+      walkers_.push_back({front_.edges[c.edge].tail, false});
+      walkers_.push_back({front_.edges[c.edge].head, true});
+      if (c.vertex >= 0)
+        for (const bool forward : {false, true}) walkers_.push_back({c.vertex, forward});
+    }
+    for (const walker& w : walkers_) prefetch(front_.vertices[w.vertex]);
+    for (int step = 0; step < 2; ++step) {
+      for (const walker& w : walkers_) {
+        const auto& vertex = front_.vertices[w.vertex];
+        const int e = w.forward ? vertex.out : vertex.in;
+        prefetch(tracks_[w.vertex]);
+        if (step == 0) prefetch(result_.arcs[vertex.arc]);
+        prefetch(front_.edges[e]);
+        prefetch(collapse_[e]);
+        prefetch_line(w.forward ? vertex.after : vertex.before);
+      }
+      for (walker& w : walkers_) {
+        const auto& vertex = front_.vertices[w.vertex];
+        w.vertex = w.forward ? front_.edges[vertex.out].head : front_.edges[vertex.in].tail;
+        prefetch(front_.vertices[w.vertex]);
+      }
+    }
+    for (const bool deep : {false, true})
       for (const candidate& c : candidates) {
-        body(front_.edges[c.edge].tail);
-        body(front_.edges[c.edge].head);
-        if (c.vertex >= 0) body(c.vertex);
+        const box& swept = tracks_[c.vertex >= 0 ? c.vertex : front_.edges[c.edge].tail].swept;
+        edge_boxes_.prefetch(swept, deep);
+        vertex_boxes_.prefetch(swept, deep);
       }
-    };
-    each_edge([this](int e) {
-      prefetch(&front_.edges[e]);
-      prefetch(&collapse_[e]);
-    });
-    each_vertex([this](int v) {
-      prefetch(&front_.vertices[v]);
-      prefetch(&tracks_[v]);
-      prefetch(&tracks_[v].swept);
-    });
-    each_edge([this](int e) { prefetch_line(front_.edges[e].line); });
-    each_vertex([this](int v) {
-      const auto& vertex = front_.vertices[v];
-      prefetch(&result_.arcs[vertex.arc]);
-      prefetch_line(vertex.before);
-      prefetch_line(vertex.after);
-      for (const int e : {vertex.in, vertex.out}) {
-        prefetch(&front_.edges[e]);
-        prefetch(&collapse_[e]);
-      }
-    });
-    each_vertex([this](int v) {
-      for (const int u : {front_.edges[front_.vertices[v].in].tail, front_.edges[front_.vertices[v].out].head}) {
-        prefetch(&front_.vertices[u]);
-        prefetch(&tracks_[u]);
-        prefetch(&tracks_[u].swept);
-      }
-      edge_boxes_.prefetch(tracks_[v].swept);
-      vertex_boxes_.prefetch(tracks_[v].swept);
-    });
   }
   void prefetch_line(line_id l) const {
     if constexpr (requires { k_.prefetch(l); }) k_.prefetch(l);
@@ -813,6 +811,11 @@ class propagation {
   std::vector<merge> merged_;
   std::vector<track> tracks_;       // by vertex
   std::vector<interval> collapse_;  // by edge: when it vanishes, as it is
+  struct walker {
+    int vertex;
+    bool forward;
+  };
+  std::vector<walker> walkers_;  // used by warm()
   box_tree edge_boxes_;
   box_tree vertex_boxes_;
 };

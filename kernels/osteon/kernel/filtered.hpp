@@ -60,10 +60,7 @@ class filtered {
 
   plane_id size() const { return exact_.size(); }
   /// This plane will be asked about soon.
-  void prefetch(plane_id a) const {
-    osteon::prefetch(&fast_.arithmetic().plane(a));
-    osteon::prefetch(&fast_.arithmetic().plane(a).d);
-  }
+  void prefetch(plane_id a) const { osteon::prefetch(fast_.arithmetic().plane(a)); }
   bool has_unit_speeds() const requires requires(const K& k) { k.has_unit_speeds(); }
   { return exact_.has_unit_speeds(); }
   template <std::same_as<plane_id>... Planes>

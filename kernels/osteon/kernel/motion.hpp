@@ -54,7 +54,7 @@ class motion {
   /// Whether a line does not move.
   bool is_held(line_id l) const { return units_[l].speed == 0; }
   /// What belongs to this line will be asked for soon.
-  void prefetch(line_id l) const { osteon::prefetch(&units_[l]); }
+  void prefetch(line_id l) const { osteon::prefetch(units_[l]); }
 
   /// When three lines meet, if that is after time zero; where rounding leaves it open, not before the first moment given.
   interval time(const triple& q) const {
