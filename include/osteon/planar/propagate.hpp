@@ -379,7 +379,8 @@ class propagation {
     });
   }
 
-  // The reflex vertex reaches the line of the edge from inside, on the edge as it is now. Should the edge change, it is looked at again.
+  // The reflex vertex reaches the line of the edge from inside, on the edge as it is now. Should the edge change, it is looked at again. So it is
+  // when the edge between neighbours changes, which is watched itself.
   void consider_contact(int v, int e) {
     const line_id a = front_.line_before(v);
     const line_id b = front_.line_after(v);
@@ -388,7 +389,7 @@ class propagation {
     const triple q = sorted({a, b, c});
     const interval when = motion_.time(q);
     const double until = std::min({tracks_[v].known_until, tracks_[front_.edges[e].tail].known_until, tracks_[front_.edges[e].head].known_until});
-    if (when.first > until || when.last < window_.first) return;
+    if (when.first > until || when.last < window_.first || are_neighbours(v, e)) return;
     const auto m = k_.meet(q);
     if (!m || k_.compare(*m, now_) != sign::positive) return;
     // The vertex is reflex, so lambda_c is negative where its lines come in the order of the triple.
@@ -400,6 +401,12 @@ class propagation {
     if (!(sharp.first < infinity)) return;
     queue_.push(*m, {sharp, e, v, front_.vertices[v].arc});
     tracks_[v].contact = e;
+  }
+
+  // Whether one edge is between them: where it vanishes they meet.
+  bool are_neighbours(int v, int e) const {
+    const auto& vertex = front_.vertices[v];
+    return front_.edges[e].tail == front_.edges[vertex.out].head || front_.edges[e].head == front_.edges[vertex.in].tail;
   }
 
   // Whether the point where the edge's line meets lines a and b lies on the edge; x is the one of these to be asked.
