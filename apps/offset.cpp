@@ -42,14 +42,13 @@ struct offset_command {
   }
 
   void run() const {
-    const planar::polygon<integer> given = read_polygon_file(file);
+    const planar::polygon<integer> p = read_polygon_file(file, outside);
     std::vector<rational> times;
     for (const auto& d : distances) {
       exact_number<integer> x;
       if (read_decimal(d, x) != number_fault::none || x.mantissa < 0) throw CLI::ValidationError("--by", d + " is no decimal number of at least 0");
       times.push_back(rational(x.mantissa) * power_of(x.ten, x.two));
     }
-    const planar::polygon<integer> p = outside ? complement(given) : given;
     planar::options o;
     o.outside = outside;
     if (outside) o.until = until(p, *std::max_element(times.begin(), times.end()));

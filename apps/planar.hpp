@@ -65,9 +65,9 @@ inline bool is_polygon_file(const std::string& file) {
   return has_one_face(in);
 }
 
-/// A checked polygon; what was repaired is said on standard error. change(rings) is called before the check.
+/// A checked polygon, or what is outside of it; what was repaired is said on standard error. change(rings) is called before the check.
 template <class Change>
-planar::polygon<integer> read_polygon_file(const std::string& file, Change change) {
+planar::polygon<integer> read_polygon_file(const std::string& file, bool outside, Change change) {
   auto rings = [&] {
     if (file == "-") return planar::read_polygon<integer>(std::cin, "standard input");
     std::ifstream in(file, std::ios::binary);
@@ -75,13 +75,13 @@ planar::polygon<integer> read_polygon_file(const std::string& file, Change chang
     return planar::read_polygon<integer>(in, file);
   }();
   change(rings);
-  auto polygon = planar::make_polygon(std::move(rings));
+  auto polygon = planar::make_polygon(std::move(rings), outside);
   for (const auto& repair : polygon.repairs) fmt::print(stderr, "osteon: note: {}\n", repair);
   return polygon;
 }
 
-inline planar::polygon<integer> read_polygon_file(const std::string& file) {
-  return read_polygon_file(file, [](auto&) {});
+inline planar::polygon<integer> read_polygon_file(const std::string& file, bool outside) {
+  return read_polygon_file(file, outside, [](auto&) {});
 }
 
 /// A raw skeleton and, where the kernel is exact, the contracted one.

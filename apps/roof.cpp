@@ -50,7 +50,7 @@ struct roof_command {
   }
 
   void run(bool one_angle) const {
-    const planar::polygon<integer> p = read_polygon_file(file, [&](planar::rings<integer>& r) {
+    const planar::polygon<integer> p = read_polygon_file(file, false, [&](planar::rings<integer>& r) {
       if (one_angle || !angles.empty()) set_angles(r);
     });
     const planar_skeletons both = compute_planar("sqrt", p);

@@ -51,8 +51,7 @@ struct skeleton_command {
   void run_plane() const {
     if (prefer != "convex" || !saddle.empty() || input.flip || input.triangulate)
       throw CLI::ValidationError(input.file, "--prefer, --saddle, --flip and --triangulate are for polyhedra");
-    planar::polygon<integer> p = read_polygon_file(input.file);
-    if (outside) p = complement(p);
+    const planar::polygon<integer> p = read_polygon_file(input.file, outside);
     planar::options o;
     o.outside = outside;
     const auto begin = std::chrono::steady_clock::now();

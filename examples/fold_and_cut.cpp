@@ -54,12 +54,14 @@ vec unit(vec a) { return 1 / length(a) * a; }
 /// Walls cut the plane into faces, one on each side of each edge: the arcs of both skeletons, which are creases, and the edges themselves.
 class fold {
  public:
-  fold(const planar::polygon<integer>& p, double margin) : vertices_(static_cast<int>(p.points.size())) {
+  /// A polygon and what is outside of it.
+  fold(const planar::polygon<integer>& p, const planar::polygon<integer>& rest, double margin) : vertices_(static_cast<int>(p.points.size())) {
     for (const auto& l : p.lines)
       if (l.weight != p.lines[0].weight)
         throw input_error(input_fault::bad_weight, 0, "paper folds at bisectors only, so no edge may have a weight of its own",
                           "leave the weights out");
-    const planar::polygon<integer> rest = planar::complement(p);
+    if (rest.points != p.points)
+      throw unsupported_error("the polygon touches itself, so its corners outside are others than inside; cure: move that point a little");
     nodes_.resize(vertices_);
     const auto inner = add_skeleton(p, false);
     low_ = high_ = nodes_[0].at;
@@ -321,9 +323,11 @@ int main(int argc, char** argv) {
   }
   try {
     std::ifstream in(argv[1], std::ios::binary);
-    const auto polygon = planar::make_polygon(planar::read_polygon<integer>(in, argv[1]));
+    auto rings = planar::read_polygon<integer>(in, argv[1]);
+    const auto rest = planar::make_polygon(rings, true);
+    const auto polygon = planar::make_polygon(std::move(rings));
     for (const auto& repair : polygon.repairs) std::fprintf(stderr, "fold_and_cut: note: %s\n", repair.c_str());
-    fold creases(polygon, margin);
+    fold creases(polygon, rest, margin);
     creases.add_perpendiculars();
     creases.write();
     return 0;

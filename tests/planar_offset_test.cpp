@@ -227,7 +227,7 @@ struct outside_of {
   polygon<integer> p;
   skeleton s;
   offsets o;
-  explicit outside_of(const region& r) : p(complement(make_polygon(models::take<integer>(r)))), s(skeleton_of(p, true)), o(p, s) {}
+  explicit outside_of(const region& r) : p(make_polygon(models::take<integer>(r), true)), s(skeleton_of(p, true)), o(p, s) {}
   outside_of(const outside_of&) = delete;
   outside_of& operator=(const outside_of&) = delete;
 };
@@ -254,6 +254,15 @@ TEST(planar_offset, outside_closes_a_court) {
   EXPECT_EQ(area(p), 24 * 24 - 16);
   EXPECT_EQ(area(complement(c.o.exactly_at(4))), 28 * 28);
   EXPECT_EQ(area(complement(c.o.exactly_at(1000))), 2020 * 2020);
+}
+
+TEST(planar_offset, outside_where_a_hole_touches) {
+  // At (10, 10) two corners of the interior meet, and two of the outside: the notch and the hole go apart.
+  const outside_of c(region{{{0, 0}, {20, 0}, {20, 20}, {10, 20}, {10, 10}, {0, 10}}, {{10, 10}, {14, 10}, {14, 6}, {10, 6}}});
+  const auto p = complement(c.o.exactly_at(1));
+  ASSERT_EQ(p.rings.size(), 2U);
+  EXPECT_EQ(area(p), 22 * 22 - 10 * 10 - 2 * 2);
+  EXPECT_EQ(area(complement(c.o.exactly_at(2))), 24 * 24 - 10 * 10);
 }
 
 // ---- exactness

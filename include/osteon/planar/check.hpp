@@ -78,7 +78,7 @@ std::int64_t residue(const Int& x) {
 template <class Int>
 class polygon_builder {
  public:
-  explicit polygon_builder(rings<Int> r) : in_(std::move(r)) {}
+  explicit polygon_builder(rings<Int> r, bool outside = false) : in_(std::move(r)), outside_(outside) {}
 
   polygon<Int> build() {
     count();
@@ -91,11 +91,15 @@ class polygon_builder {
     const bool touching = !m_.touching_vertices.empty();
     if (touching) {
       cut_edges();
-      link_sectors();
+      arriving_ = previous_;
+      link_sectors(false);
     }
     count_loops();
+    if (touching && outside_) link_sectors(true);
     if (touching) join_straight();
     finish();
+    if (outside_) turn_round();
+    rank_edges(p_.outline, p_.points);
     return std::move(p_);
   }
 
@@ -410,19 +414,18 @@ class polygon_builder {
   int point_of(int v) const { return place_.empty() || v < vertices_ ? v : place_[v - vertices_]; }
 
   // The interior lies left of every edge, so rays in and out take turns around a touching point. A sector of the interior begins, going
-  // counter-clockwise, with a ray out and ends with a ray in.
-  void link_sectors() {
-    const std::vector<int> arriving = previous_;
+  // counter-clockwise, with a ray out and ends with a ray in; one of the outside begins with a ray in.
+  void link_sectors(bool outside) {
     for (std::size_t t = 0; t < m_.touching_vertices.size(); ++t) {
       const std::size_t begin = m_.first_rays[t];
       const std::size_t n = m_.first_rays[t + 1] - begin;
       for (std::size_t i = 0; i < n; ++i) {
-        const auto& out = m_.rays[begin + i];
-        const auto& in = m_.rays[begin + (i + 1) % n];
+        const auto& out = m_.rays[begin + (outside ? (i + 1) % n : i)];
+        const auto& in = m_.rays[begin + (outside ? i : (i + 1) % n)];
         if (out.out == in.out) throw invariant_error("internal invariant violated: the interior lies on the left around a touching point");
         if (!out.out) continue;
-        next_[arriving[in.vertex]] = out.vertex;
-        previous_[out.vertex] = arriving[in.vertex];
+        next_[arriving_[in.vertex]] = out.vertex;
+        previous_[out.vertex] = arriving_[in.vertex];
       }
     }
   }
@@ -532,6 +535,19 @@ class polygon_builder {
     o.lines = static_cast<int>(p_.lines.size());
   }
 
+  void turn_round() {
+    for (auto& l : p_.lines) {
+      for (Int& x : l.n) x = -x;
+      l.d = -l.d;
+    }
+    const outline given = p_.outline;
+    for (std::size_t i = 0; i < given.next.size(); ++i) {
+      const int to = given.next[i];
+      p_.outline.next[to] = static_cast<int>(i);
+      p_.outline.line[to] = given.line[i];
+    }
+  }
+
   // The line of the edge that starts at v; equal lines have one number.
   int line_of(int v) {
     const int a = point_of(v);
@@ -594,7 +610,9 @@ class polygon_builder {
   std::vector<int> cut_;    // by vertex of a cut: the edge
   std::vector<int> place_;  // by vertex of a cut: a vertex at the same place
   std::vector<bool> joined_;
-  std::vector<int> table_;  // of line numbers, by hash
+  std::vector<int> table_;     // of line numbers, by hash
+  std::vector<int> arriving_;  // by vertex: the previous one in the rings, before sectors are linked
+  const bool outside_;
   polygon<Int> p_;
 };
 
@@ -605,11 +623,11 @@ class polygon_builder {
 /// the clockwise boundaries that result.
 /// Throws input_error for everything else that is no polygon with disjoint parts: spikes, crossings, overlaps, holes outside of their outer
 /// ring or inside of others, interiors that fall apart, negative weights. Cost: n log n time, see crossing_search.
+/// With `outside` the result is what is not in the polygon: vertices and lines are the same (where nothing touches), but turned round: edge next[i]
+/// of the polygon is its edge i. `parts` and `holes` are still those of the polygon. Its skeleton is unbounded.
 template <class Int>
-polygon<Int> make_polygon(rings<Int> r) {
-  polygon<Int> p = polygon_builder<Int>(std::move(r)).build();
-  rank_edges(p.outline, p.points);
-  return p;
+polygon<Int> make_polygon(rings<Int> r, bool outside = false) {
+  return polygon_builder<Int>(std::move(r), outside).build();
 }
 
 }  // namespace osteon::planar

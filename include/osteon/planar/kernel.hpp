@@ -41,6 +41,8 @@ concept planar_kernel = std::copyable<typename K::meeting> &&
 template <class K>
 concept limit_kernel = planar_kernel<K> && requires(const K& k, line_id a, const typename K::meeting& m) {
   { k.has_moment(m) } -> std::same_as<bool>;
+  // Infinitely late or early in the limit.
+  { k.is_never(m) } -> std::same_as<bool>;
   { k.same_moment(m, m) } -> std::same_as<bool>;
   // Whether the corner of the last two lines lies on the first at the moment.
   { k.touches(a, a, a, m) } -> std::same_as<bool>;

@@ -74,22 +74,4 @@ void rank_edges(outline& o, const std::vector<std::array<Int, 2>>& points) {
   for (std::size_t i = 0; i < order.size(); ++i) o.rank[order[i]] = static_cast<int>(i);
 }
 
-/// What is not in the polygon: the same vertices, rings and lines turned round. Edge next[i] of the result is edge i of the polygon. Its skeleton
-/// outside of the polygon is unbounded.
-template <class Int>
-polygon<Int> complement(const polygon<Int>& p) {
-  polygon<Int> result = p;
-  for (auto& l : result.lines) {
-    for (Int& x : l.n) x = -x;
-    l.d = -l.d;
-  }
-  for (std::size_t i = 0; i < p.outline.next.size(); ++i) {
-    const int to = p.outline.next[i];
-    result.outline.next[to] = static_cast<int>(i);
-    result.outline.line[to] = p.outline.line[i];
-  }
-  rank_edges(result.outline, result.points);
-  return result;
-}
-
 }  // namespace osteon::planar

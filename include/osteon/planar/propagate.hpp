@@ -296,7 +296,8 @@ class propagation {
     window_ = {from, contacts_ ? std::min(std::max(from, window_.last) + step_, options_.until) : options_.until};
     if (!(window_.last > window_.first)) window_.last = infinity;
     for (const int e : living_)
-      if (collapse_[e].first > queued_until_ && collapse_[e].first <= window_.last && !queue_collapse(e, lines_at(e), collapse_[e]))
+      if (collapse_[e].first > queued_until_ && collapse_[e].first <= window_.last && collapse_[e].first < infinity &&
+          !queue_collapse(e, lines_at(e), collapse_[e]))
         collapse_[e] = never;
     queued_until_ = std::max(queued_until_, window_.last);
     if (!contacts_) return;

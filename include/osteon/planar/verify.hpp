@@ -22,7 +22,8 @@
 /// that edges keep a positive length is shown anew for its neighbours. What is said above then holds in the limit.
 ///
 /// Outside of a polygon w falls from 0 to -1 and the wavefront goes on for ever. Far away, its edges are tangents around one point that lies on
-/// their right; so w ends at minus the number of turns that the wavefront makes, and one turn is what must be left.
+/// their right; so w ends at minus the number of turns that the wavefront makes, and one turn is what must be left. What happens infinitely late in
+/// the limit (edges of one direction and one speed are neighbours then) is no event of the skeleton.
 
 #include <algorithm>
 #include <array>
@@ -631,7 +632,7 @@ class verifier {
       std::sort(q.begin(), q.end());
       demand(q[0] != q[1] && q[1] != q[2], rule::end, "arc", a, "has an edge without length beside it");
       const auto m = k_.meet(q);
-      demand(!m || k_.compare(*m, now_) != sign::positive, rule::end, "arc", a, "never ends, but an edge beside it vanishes");
+      demand(!m || k_.compare(*m, now_) != sign::positive || is_never(*m), rule::end, "arc", a, "never ends, but an edge beside it vanishes");
     }
     // One ring, and it turns right once in all: count how often its direction passes that of one edge.
     const int first = edge_of_[left.front()];
@@ -651,6 +652,11 @@ class verifier {
     } while (e != first);
     demand(length == left.size() && turns == -1, rule::end, "arc", left.front(),
            "what never ends does not go once around (only edges of weight zero could make that right)");
+  }
+
+  bool is_never(const meeting& m) const {
+    if constexpr (limit_kernel<K>) return k_.is_never(m);
+    return false;
   }
 
   const K& k_;
@@ -676,7 +682,7 @@ class verifier {
 };
 
 /// Certifies a raw skeleton of a checked polygon, or refutes it. `k` is a perturbed kernel with the polygon's lines. With `outside` the interior is
-/// not bounded (planar::complement), and what never ends is checked too; where edges of weight zero are among it, a true skeleton may be
+/// not bounded (see make_polygon), and what never ends is checked too; where edges of weight zero are among it, a true skeleton may be
 /// refuted by rule::end. No skeleton, however wrong, does harm. Time O(n log n), about ten predicates for each event; memory linear.
 template <planar_kernel K>
 std::optional<refutation> verify(const K& k, const outline& polygon, const skeleton& raw, bool outside = false) {

@@ -88,6 +88,8 @@ class perturbed {
 
   /// Whether a meeting has a moment in the limit: not where S is zero there.
   bool has_moment(const meeting& m) const { return m.regular; }
+  /// Whether a meeting is infinitely late, or early, in the limit: S is zero there and D is not.
+  bool is_never(const meeting& m) const { return !m.regular && k_.offset_at(0, planes(m)) != sign::zero; }
   /// Whether two meetings that have one have the same.
   bool same_moment(const meeting& m, const meeting& n) const { return k_.compare(m.base, n.base) == sign::zero; }
   /// Whether the corner (a,b) lies on line c in the limit.

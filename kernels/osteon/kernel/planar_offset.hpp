@@ -87,8 +87,8 @@ void place_holes(offset_polygon<Number>& p) {
 
 }  // namespace detail
 
-/// The rings turned round: what an offset outwards (of complement(polygon), see polygon.hpp) has left out is the grown polygon. There edge i lies on
-/// the line of the edge that ends, not starts, at vertex i of the polygon.
+/// The rings turned round: what an offset outwards (of what is outside of a polygon, see make_polygon) has left out is the grown polygon. There edge
+/// i lies on the line of the edge that ends, not starts, at vertex i of the polygon.
 template <class Number>
 offset_polygon<Number> complement(offset_polygon<Number> p) {
   p.parts = 0;
@@ -103,7 +103,7 @@ offset_polygon<Number> complement(offset_polygon<Number> p) {
   return p;
 }
 
-/// Offsets of a polygon inwards; of the complement of one, outwards. Time is the distance that an edge of weight 1 has moved, in the units of the
+/// Offsets of a polygon inwards; of what is outside of one, outwards. Time is the distance that an edge of weight 1 has moved, in the units of the
 /// input. Keeps references to its arguments. Setup: linear.
 class offsets {
  public:
