@@ -22,6 +22,7 @@ CATALOGUE, VERIFY, KERNEL, VOXEL, DEGENERATE, ROOTS, SOLID, SEARCH = (
     ("catalogue_test", "*"), ("verify_test", "Certificate.OfEvery*:Certificate.OfTheThesis*:Corrupted*"), ("kernel_test", "*"), ("voxel_test", "*"),
     ("degenerate_test", "*"), ("square_classes_test", "*"), ("regression_test", "*"), ("split_search_test", "*"))
 PLANE = ("planar_skeleton_test", "*")
+OUTSIDE = ("planar_verify_test", "*Outside*")
 INCLUDE, KERNELS = "include/osteon/", "kernels/osteon/kernel/"
 
 # name, file, what is there, what is put in its place, the programs that should notice
@@ -78,8 +79,7 @@ FAULTS = [
     ("plane: new reflex vertices are not looked at", INCLUDE + "planar/propagate.hpp", "look_from_vertex(vertices[i]);", "", [PLANE]),
     ("plane: merged edges are not looked at", INCLUDE + "planar/propagate.hpp", "touched[count++] = merged[r];", "", [PLANE]),
     ("plane: windows without contacts", INCLUDE + "planar/propagate.hpp", "contacts_ = reflex_left() && ", "contacts_ = !reflex_left() && ", [PLANE]),
-    ("plane: another edge on the line is not seen", INCLUDE + "planar/propagate.hpp", "front_.line_before(front_.edges[g].tail)); g = front_.edges[g].next)\n        seen |= see(n, r, g);",
-     "front_.line_before(front_.edges[g].tail)); g = front_.edges[g].next)\n        {}", [PLANE]),
+    ("plane: other edges on the line are not seen", INCLUDE + "planar/propagate.hpp", "return l != n.q[r] && std::find(", "return false && std::find(", [PLANE]),
     ("plane: an old candidate counts as a new one", INCLUDE + "planar/propagate.hpp", "if (!is_current(c) || lines_of(c) != triple(k_.planes(m)) ||",
      "if (!front_.edges[c.edge].alive || lines_of(c) != triple(k_.planes(m)) ||", [PLANE]),
     ("plane: slices begin too late", INCLUDE + "planar/event_queue.hpp", "(heap_.empty() || heap_.front().when.last >= begin_[slice_])", "heap_.empty()", [PLANE]),
@@ -87,6 +87,10 @@ FAULTS = [
      "for (std::uint32_t j = from[1]; j <= from[1]; ++j)", [PLANE]),
     ("plane: the side of a convex tail is turned round", INCLUDE + "planar/propagate.hpp", "== front_.vertices[front_.edges[e].tail].reflex) return false;",
      "!= front_.vertices[front_.edges[e].tail].reflex) return false;", [PLANE]),
+    ("plane: all are taken for neighbours", INCLUDE + "planar/propagate.hpp", "return front_.edges[e].tail == front_.edges[vertex.out].head ||",
+     "return front_.edges[e].alive ||", [PLANE]),
+    ("plane: what is infinitely late happens", INCLUDE + "planar/propagate.hpp", " && collapse_[e].first < infinity &&", " &&", [OUTSIDE]),
+    ("plane: the outside is linked as the inside", INCLUDE + "planar/check.hpp", "if (touching && outside_) link_sectors(true);", "", [OUTSIDE]),
     ("the anchors' differences are forgotten", KERNELS + "estimate.hpp", "if (i == origin) return sum;", "return sum;", [PLANE]),
     ("drifts count where times differ", KERNELS + "perturbed.hpp", "      if (s != sign::zero) return s;\n      if constexpr (requires { k_.compare_drift",
      "      if constexpr (requires { k_.compare_drift", [PLANE]),
