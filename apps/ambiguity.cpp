@@ -32,7 +32,7 @@ struct ambiguity_command {
     input.add_to(*c);
     c->add_option("--explore", explore, "compute that many different skeletons, choosing at random")->check(CLI::Range(1, 1'000'000));
     c->add_option("--seed", seed, "of the first choice")->capture_default_str();
-    c->add_option("--offset", offsets, "also print the offset's volume at this time; may be given often")->check(CLI::NonNegativeNumber);
+    c->add_option("--offset", offsets, "also print the offset's volume at this time; may be given often")->check(finite_from(0));
     c->footer(
         "Prints one JSON object: the vertices with several valid splits and their product, \"exact\" unless there are more,\n"
         "and the saddles that the skeleton of most convex edges meets, each with two outcomes.\n"

@@ -8,9 +8,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -47,6 +49,18 @@ std::vector<std::string> names(const std::map<std::string, Value>& of) {
   for (const auto& [name, value] : of) result.push_back(name);
   return result;
 }
+
+/// Takes finite numbers of at least this, nothing else.
+inline CLI::Validator finite_from(double least) {
+  return CLI::Validator(
+      [least](const std::string& text) {
+        double x = 0;
+        const bool holds = CLI::detail::lexical_cast(text, x) && std::isfinite(x) && x >= least;
+        return holds ? std::string() : text + " is no finite number" + (least < 0 ? "" : fmt::format(" of at least {}", least));
+      },
+      "");
+}
+inline const CLI::Validator finite = finite_from(std::numeric_limits<double>::lowest());
 
 /// A file with the repairs that the user asked for.
 struct model {

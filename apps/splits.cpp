@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <map>
@@ -49,7 +51,8 @@ struct splits_command {
     auto* p = c->add_flag("--spherical", spherical, "print the preferred split's spherical skeleton as JSON, arcs cut into front and back parts");
     c->add_option("--prefer", prefer, "for --spherical")->check(CLI::IsMember(names(preferences)))->capture_default_str();
     c->add_option("--eye", eye, "for --spherical: the direction (three numbers) from which it is seen; the sum of the edges where it is missing")
-        ->expected(3);
+        ->expected(3)
+        ->check(finite);
     const std::vector<CLI::Option*> modes = {a, s, n, d, p};
     for (auto* one : modes)
       for (auto* other : modes)
@@ -162,9 +165,10 @@ struct splits_command {
       throw unsupported_error("not yet: the spherical skeleton of a vertex with several facets in one plane; cure: list its splits with --all");
     const spherical_skeleton sphere = make_spherical_skeleton(s.planes, c, t->tree);
     spherical_skeleton::vector from{};
+    const double longest = eye.empty() ? 1 : std::max({std::abs(eye[0]), std::abs(eye[1]), std::abs(eye[2])});
     for (std::size_t x = 0; x < 3; ++x) {
       if (!eye.empty())
-        from[x] = eye[x];
+        from[x] = eye[x] / longest;
       else
         for (std::size_t m = 0; m < c.facets.size(); ++m) from[x] += sphere.nodes[m][x];
     }
@@ -180,6 +184,7 @@ struct splits_command {
 
  public:
   void run() const {
+    if (!eye.empty() && eye[0] == 0 && eye[1] == 0 && eye[2] == 0) throw CLI::ValidationError("--eye", "0 0 0 is no direction");
     const solid<integer> s = input.read();
     const int id = vertex_at(s, input.file, vertex);
     const corner c = corner_at(s.boundary, id);
