@@ -78,7 +78,7 @@ std::int64_t residue(const Int& x) {
 template <class Int>
 class polygon_builder {
  public:
-  explicit polygon_builder(rings<Int> r, bool outside = false) : in_(std::move(r)), outside_(outside) {}
+  polygon_builder(rings<Int> r, bool outside) : in_(std::move(r)), outside_(outside) {}
 
   polygon<Int> build() {
     count();
@@ -535,6 +535,7 @@ class polygon_builder {
     o.lines = static_cast<int>(p_.lines.size());
   }
 
+  // What is left of every edge changes sides.
   void turn_round() {
     for (auto& l : p_.lines) {
       for (Int& x : l.n) x = -x;
