@@ -192,7 +192,7 @@ TEST_F(planar_long, almost_coincident) {
 
 TEST(planar_prisms, have_the_skeleton_of_their_floor_in_the_middle) {
   int compared = 0;
-  for (std::uint64_t i = seed(); i < seed() + effort<std::uint64_t>(10, 250); ++i)
+  for (std::uint64_t i = seed(); i < seed() + effort<std::uint64_t>(10, 255); ++i)
     for (const bool coarse : {false, true}) {
       const planar_input input = {{grown_ring(5 + static_cast<int>(i % 20), coarse ? 12 : 1'000'000, i)}, {}};
       // Solids have no rule for reflex vertices that meet.
