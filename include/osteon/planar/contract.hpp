@@ -55,10 +55,11 @@ class contraction {
 
  private:
   using meeting = typename K::meeting;
+  static constexpr std::size_t ahead = 16;  // nodes; what theirs are is on the way meanwhile
 
   struct place {
-    int raw;  ///< its first node
-    int moment;
+    int raw;     ///< its first node
+    int moment;  ///< -1: no other node has the same
     std::array<line_id, 2> corner;
     int same = -1;  ///< an earlier place that it has turned out to be
   };
@@ -76,10 +77,11 @@ class contraction {
   void merge_nodes() {
     place_of_.resize(raw_.nodes.size());
     places_.reserve(raw_.nodes.size());
-    moments_.reserve(raw_.nodes.size());
+    std::optional<meeting> moment;
     std::size_t first = 0;  // node of the moment
     for (std::size_t n = 0; n < raw_.nodes.size(); ++n) {
       const auto& node = raw_.nodes[n];
+      if (n + ahead < raw_.nodes.size()) prefetch_lines(raw_.nodes[n + ahead].lines);
       if (node.vertex >= 0) {
         place_of_[n] = add_place(n, -1, {node.lines[0], node.lines[1]});
         continue;
@@ -89,13 +91,13 @@ class contraction {
         throw unsupported_error("held edges on one line face each other at the lines " + std::to_string(node.lines[0]) + ", " +
                                 std::to_string(node.lines[1]) + " and " + std::to_string(node.lines[2]) +
                                 ": whether the polygon is open between them cannot be told; cure: move one of them a little");
-      if (moments_.empty() || k_.compare(moments_.back(), *when) != sign::zero) {
-        if (!moments_.empty()) merge_moment(first, n);
-        moments_.push_back(*when);
+      if (!moment || k_.compare(*moment, *when) != sign::zero) {
+        if (moment) merge_moment(*moment, first, n);
+        moment = when;
         first = n;
       }
     }
-    if (!moments_.empty()) merge_moment(first, raw_.nodes.size());
+    if (moment) merge_moment(*moment, first, raw_.nodes.size());
     for (int& p : place_of_) p = root(p);
   }
 
@@ -104,13 +106,20 @@ class contraction {
     return static_cast<int>(places_.size()) - 1;
   }
 
-  // Places for the nodes from first to last, which are those of the latest moment.
-  void merge_moment(std::size_t first, std::size_t last) {
-    const int moment = static_cast<int>(moments_.size()) - 1;
+  void prefetch_lines(const triple& lines) const {
+    if constexpr (requires { k_.prefetch(lines[0]); })
+      for (const line_id l : lines)
+        if (l >= 0) k_.prefetch(l);
+  }
+
+  // Places for the nodes from first to last, which are those of one moment.
+  void merge_moment(const meeting& when, std::size_t first, std::size_t last) {
     if (last - first == 1) {
-      place_of_[first] = add_place(first, moment, corner_of(raw_.nodes[first].lines));
+      place_of_[first] = add_place(first, -1, corner_of(raw_.nodes[first].lines));
       return;
     }
+    const int moment = static_cast<int>(moments_.size());
+    moments_.push_back(when);
     crowded_.resize(raw_.nodes.size());
     std::fill(crowded_.begin() + static_cast<std::ptrdiff_t>(first), crowded_.begin() + static_cast<std::ptrdiff_t>(last), true);
     std::unordered_map<line_id, std::vector<int>> here;  // places on each line, in their order
@@ -153,7 +162,7 @@ class contraction {
 
   sign side(line_id l, const place& p) const {
     if (l == p.corner[0] || l == p.corner[1]) return sign::zero;
-    return k_.side(l, p.corner[0], p.corner[1], moments_[p.moment]);
+    return k_.side(l, p.corner[0], p.corner[1], p.moment < 0 ? *k_.meet(raw_.nodes[p.raw].lines) : moments_[p.moment]);
   }
 
   // ---- arcs
@@ -164,7 +173,7 @@ class contraction {
     for (const auto& p : raw_.passes) {
       const place& at = places_[place_of_[p.node]];
       for (const int f : raw_.arcs[p.arc].faces)
-        if (at.moment < 0 || side(line_[f], at) != sign::zero) broken_invariant<K>("an arc passes through its nodes");
+        if (raw_.nodes[at.raw].vertex >= 0 || side(line_[f], at) != sign::zero) broken_invariant<K>("an arc passes through its nodes");
       passed[p.arc].push_back(place_of_[p.node]);
     }
     for (std::size_t a = 0; a < raw_.arcs.size(); ++a) {
@@ -372,7 +381,7 @@ class contraction {
   const K& k_;
   const std::vector<int>& line_;
   const skeleton& raw_;
-  std::vector<meeting> moments_;  // all that are different
+  std::vector<meeting> moments_;  // those of several nodes
   std::vector<place> places_;     // in order of time
   std::vector<int> place_of_;
   std::vector<bool> crowded_;                                     // by node: others are of the same moment; empty: none

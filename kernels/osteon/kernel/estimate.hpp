@@ -67,7 +67,7 @@ class estimated_planes {
 
   explicit estimated_planes(std::span<const moving_plane<integer, Dimension>> planes, std::span<const std::array<double, Dimension>> anchors = {})
       : planes_(round_planes<Dimension>(planes, anchors)) {
-    for (const auto& p : planes_) unscaled_ = unscaled_ && p.unscaled;
+    for (const auto& p : planes_) unscaled_ = unscaled_ && p.unscaled();
   }
 
   plane_id size() const { return static_cast<plane_id>(planes_.size()); }
@@ -84,8 +84,14 @@ class estimated_planes {
     for (int axis = 0; axis < Dimension; ++axis) sum = sum + n(i, axis) * estimate::input(p.anchor[axis] - planes_[origin].anchor[axis], true);
     return sum;
   }
-  estimate u(plane_id i, int axis) const { return estimate::input(planes_[i].u[axis], planes_[i].exact, planes_[i].tilt_fit); }
-  estimate delta(plane_id i) const { return estimate::input(planes_[i].delta, planes_[i].exact, planes_[i].tilt_fit); }
+  estimate u(plane_id i, int axis) const {
+    const auto& p = planes_[i];
+    return estimate::input(std::ldexp(perturbation::of(i).u[axis], -p.shift), p.exact, p.tilt_fit());
+  }
+  estimate delta(plane_id i) const {
+    const auto& p = planes_[i];
+    return estimate::input(p.unscaled() ? p.delta : std::ldexp(p.delta, -p.shift - p.offset_shift), p.exact, p.tilt_fit());
+  }
   estimate speed(plane_id i) const { return estimate::input(planes_[i].speed, planes_[i].exact, planes_[i].fit); }
 
   estimate value(const linear_form<estimate>& f) const {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -17,20 +18,23 @@
 namespace osteon {
 
 /// One plane, rounded: relative error of every number at most 2^-52 (GMP truncates). `exact` where nothing was lost and the
-/// speed is an integer: then all are integers, and so are the perturbations.
+/// speed is an integer: then all are integers, and so are the perturbations. In the plane it fits into one line of a processor's memory.
 template <int Dimension>
-struct rounded_plane {
+struct alignas(Dimension == 2 ? 64 : alignof(double)) rounded_plane {
   std::array<double, Dimension> n;
   std::array<double, Dimension> anchor;  ///< integers: a point near what lies on the plane
   double rest;                           ///< d - n . anchor
   double speed;
   double d;
-  std::array<double, Dimension> u;
-  double delta;
+  std::int32_t delta;         ///< of the perturbation, in integers
+  std::uint8_t shift;         ///< n is in units of 2^shift integers; at most 120, which may stand for more
+  std::uint8_t offset_shift;  ///< d in units of 2^offset_shift of these; likewise
   bool exact;
-  bool unscaled;  ///< in the units of the integers
-  bool fit;       ///< n and d are zero or so great that no product in the formulas underflows
-  bool tilt_fit;  ///< and so are u and delta
+  bool fit;  ///< n and d are zero or so great that no product in the formulas underflows
+
+  bool unscaled() const { return shift == 0 && offset_shift == 0; }
+  /// Whether so are the perturbations.
+  bool tilt_fit() const { return shift + offset_shift < 120; }
 };
 
 /// x * 2^-shift rounded.
@@ -67,13 +71,10 @@ std::vector<rounded_plane<Dimension>> round_planes(std::span<const moving_plane<
   result.reserve(planes.size());
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const auto& p = planes[i];
-    const auto tilt = perturbation::of(static_cast<plane_id>(i));
     const integer squared = inner_product(p.n, p.n) * p.weight * p.weight;
     rounded_plane<Dimension> r{};
-    for (int axis = 0; axis < Dimension; ++axis) {
-      r.n[axis] = to_double(p.n[axis], shifts[i]);
-      r.u[axis] = std::ldexp(tilt.u[axis], -shifts[i]);
-    }
+    r.delta = perturbation::of(static_cast<plane_id>(i)).delta;
+    for (int axis = 0; axis < Dimension; ++axis) r.n[axis] = to_double(p.n[axis], shifts[i]);
     r.d = to_double(p.d, shifts[i] + offset_shift);
     r.rest = r.d;
     if (anchored) {
@@ -82,15 +83,14 @@ std::vector<rounded_plane<Dimension>> round_planes(std::span<const moving_plane<
       for (int axis = 0; axis < Dimension; ++axis) rest -= p.n[axis] * integer(r.anchor[axis]);
       r.rest = to_double(rest, 0);
     }
-    r.delta = std::ldexp(tilt.delta, -shifts[i] - offset_shift);
     const auto small = [](const integer& x) { return bit_length(x) <= 53; };
     r.exact = shifts[i] == 0 && offset_shift == 0 && std::all_of(p.n.begin(), p.n.end(), small) && small(p.d) && is_square(squared) &&
               small(isqrt(squared));
     r.speed = r.exact ? to_double(isqrt(squared), 0) : std::sqrt(to_double(squared, 2 * shifts[i]));  // the root halves the relative error
     const int shift = shifts[i];
-    r.unscaled = shift == 0 && offset_shift == 0;
+    r.shift = static_cast<std::uint8_t>(std::min(shift, 120));
+    r.offset_shift = static_cast<std::uint8_t>(std::min(offset_shift, 120));
     r.fit = std::all_of(p.n.begin(), p.n.end(), [shift](const integer& x) { return is_fit(x, shift); }) && is_fit(p.d, shift + offset_shift);
-    r.tilt_fit = shift + offset_shift < 120;
     result.push_back(r);
   }
   return result;
