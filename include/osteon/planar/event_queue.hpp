@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,9 +24,9 @@ struct candidate {
   int arc = -1;  ///< of the vertex, by which it is known later
 };
 
-/// Candidates in order of time. They wait in slices of time, unsorted; those of the slices that have begun are in a heap with their meetings, which
-/// stays small and close at hand. Most comparisons are decided by enclosures of their times; the kernel is asked where these overlap. Simultaneous
-/// meetings, which only unperturbed kernels know, come in the order of their lines.
+/// Candidates in order of time. They wait in slices of time, unsorted. A slice that begins is sorted and taken by portions into a heap with their
+/// meetings, which stays small and close at hand. Most comparisons are decided by enclosures of their times; the kernel is asked where these overlap.
+/// Simultaneous meetings, which only unperturbed kernels know, come in the order of their lines.
 template <planar_kernel K>
 class event_queue {
  public:
@@ -38,22 +40,25 @@ class event_queue {
 
   bool empty() const { return heap_.empty() && waiting_ == 0; }
 
-  /// Begins slices until the first event is known. warm(candidates) is told of each slice's, and meet(candidate) gives the meeting, or nothing where
-  /// the candidate is no longer one. Must be called before top() and pop() after every change.
+  /// Takes portions until the first event is known. warm(candidates) is told of each, and meet(candidate) gives the meeting, or nothing where the
+  /// candidate is no longer one. Must be called before top() and pop() after every change.
   template <class Warm, class Meet>
   void advance(Warm warm, Meet meet) {
     if (!sliced_) slice();
-    while (slice_ < late_.size() && (heap_.empty() || heap_.front().when.last >= begin_[slice_])) {
-      current_.clear();
-      const std::size_t end = std::min(early_.size(), (slice_ + 1) * per_slice);
-      current_.insert(current_.end(), early_.begin() + static_cast<std::ptrdiff_t>(slice_ * per_slice),
-                      early_.begin() + static_cast<std::ptrdiff_t>(end));
-      current_.insert(current_.end(), late_[slice_].begin(), late_[slice_].end());
-      waiting_ -= current_.size();
-      std::vector<candidate>().swap(late_[slice_]);
-      ++slice_;
-      warm(current_);
-      for (const candidate& c : current_)
+    while (waiting_ > 0 && (heap_.empty() || heap_.front().when.last >= next_begin())) {
+      if (taken_ == current_.size()) {
+        current_.swap(slices_[slice_]);
+        std::vector<candidate>().swap(slices_[slice_]);
+        std::sort(current_.begin(), current_.end(), [](const candidate& c, const candidate& d) { return c.when.first < d.when.first; });
+        taken_ = 0;
+        ++slice_;
+        continue;
+      }
+      const auto portion = std::span<const candidate>(current_).subspan(taken_, std::min(per_portion, current_.size() - taken_));
+      taken_ += portion.size();
+      waiting_ -= portion.size();
+      warm(portion);
+      for (const candidate& c : portion)
         if (const auto m = meet(c)) enter({*m, c});
     }
   }
@@ -61,18 +66,11 @@ class event_queue {
   const interval& top_time() const { return heap_.front().when; }
 
   void push(const meeting& m, const candidate& c) {
-    if (!sliced_) {
-      early_.push_back(c);
-      ++waiting_;
-      return;
-    }
-    const auto first = begin_.begin() + static_cast<std::ptrdiff_t>(slice_);
-    const auto behind = std::upper_bound(first, begin_.end(), c.when.first);
-    if (behind == first) {
+    if (sliced_ && (slice_ == slices_.size() || c.when.first < begin_[slice_])) {
       enter({m, c});
       return;
     }
-    late_[static_cast<std::size_t>(behind - begin_.begin()) - 1].push_back(c);
+    (sliced_ ? slice_of(c) : unsliced_).push_back(c);
     ++waiting_;
   }
 
@@ -92,15 +90,17 @@ class event_queue {
       if (keep(c)) all.push_back(c);
     };
     for (const entry& e : heap_) add(events_[e.id].what);
-    const std::size_t begun = sliced_ ? std::min(early_.size(), slice_ * per_slice) : 0;
-    std::for_each(early_.begin() + static_cast<std::ptrdiff_t>(begun), early_.end(), add);
-    for (const auto& late : late_) std::for_each(late.begin(), late.end(), add);
+    std::for_each(unsliced_.begin(), unsliced_.end(), add);
+    std::for_each(current_.begin() + static_cast<std::ptrdiff_t>(taken_), current_.end(), add);
+    for (const auto& s : slices_) std::for_each(s.begin(), s.end(), add);
     heap_.clear();
     events_.clear();
     free_.clear();
-    late_.clear();
-    early_ = std::move(all);
-    waiting_ = early_.size();
+    current_.clear();
+    taken_ = 0;
+    slices_.clear();
+    unsliced_ = std::move(all);
+    waiting_ = unsliced_.size();
     sliced_ = false;
   }
 
@@ -120,7 +120,9 @@ class event_queue {
       return s != sign::zero ? s == sign::positive : triple(queue->k_.planes(m)) > triple(queue->k_.planes(n));
     }
   };
-  static constexpr std::size_t per_slice = 64;
+  static constexpr std::size_t per_portion = 64;
+  static constexpr std::size_t sampled = 32;    // one of so many is in the sample,
+  static constexpr std::size_t per_slice = 32;  // of which so many make a slice
 
   void enter(const event& e) {
     int id = static_cast<int>(events_.size());
@@ -135,12 +137,25 @@ class event_queue {
     std::push_heap(heap_.begin(), heap_.end(), later{this});
   }
 
+  // What waits is not earlier.
+  double next_begin() const { return taken_ < current_.size() ? current_[taken_].when.first : begin_[slice_]; }
+
+  std::vector<candidate>& slice_of(const candidate& c) {
+    const auto behind = std::upper_bound(begin_.begin() + 1, begin_.end(), c.when.first);
+    return slices_[static_cast<std::size_t>(behind - begin_.begin()) - 1];
+  }
+
+  // Cuts time where a sample says that about the same number is in each slice.
   void slice() {
-    std::sort(early_.begin(), early_.end(), [](const candidate& c, const candidate& d) { return c.when.first < d.when.first; });
-    begin_.clear();
-    for (std::size_t i = 0; i < early_.size(); i += per_slice) begin_.push_back(early_[i].when.first);
-    late_.resize(begin_.size());
+    std::vector<double> sample;
+    for (std::size_t i = 0; i < unsliced_.size(); i += sampled) sample.push_back(unsliced_[i].when.first);
+    std::sort(sample.begin(), sample.end());
+    begin_ = {-std::numeric_limits<double>::infinity()};
+    for (std::size_t i = per_slice; i < sample.size(); i += per_slice) begin_.push_back(sample[i]);
+    slices_.resize(begin_.size());
     slice_ = 0;
+    for (const candidate& c : unsliced_) slice_of(c).push_back(c);
+    std::vector<candidate>().swap(unsliced_);
     sliced_ = true;
   }
 
@@ -148,12 +163,13 @@ class event_queue {
   std::vector<entry> heap_;
   std::vector<event> events_;  // of the heap
   std::vector<int> free_;
-  std::vector<candidate> early_;              // what was there when time was cut, sorted
-  std::vector<double> begin_;                 // of each slice
-  std::vector<std::vector<candidate>> late_;  // what has come into each slice since
-  std::vector<candidate> current_;            // used by advance()
-  std::size_t slice_ = 0;                     // the first that has not begun
-  std::size_t waiting_ = 0;                   // how many are in slices that have not begun
+  std::vector<candidate> unsliced_;  // what has come since time was to be cut anew
+  std::vector<double> begin_;        // of each slice
+  std::vector<std::vector<candidate>> slices_;
+  std::size_t slice_ = 0;           // the first that has not begun
+  std::vector<candidate> current_;  // the slice that has begun last, sorted
+  std::size_t taken_ = 0;           // how many of it are in the heap
+  std::size_t waiting_ = 0;         // how many are not
   bool sliced_ = false;
 };
 

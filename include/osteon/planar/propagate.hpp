@@ -10,6 +10,7 @@
 #include <concepts>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,7 +61,7 @@ class propagation {
     if (!(motion_.speed() > 0)) never_vanishes(0);
     initialise();
     while (alive_ > 0) {
-      queue_.advance([this](const std::vector<candidate>& candidates) { warm(candidates); },
+      queue_.advance([this](std::span<const candidate> candidates) { warm(candidates); },
                      [this](const candidate& c) { return is_current(c) ? k_.meet(lines_of(c)) : std::nullopt; });
       if (window_.last < infinity) {
         if (queue_.empty() || !(queue_.top_time().last <= window_.last)) {
@@ -443,7 +444,7 @@ class propagation {
 
   // Brings near what the handling of these candidates will ask for: their elements and their neighbours along the wavefront, step by step, at each of
   // which all wait together.
-  void warm(const std::vector<candidate>& candidates) {
+  void warm(std::span<const candidate> candidates) {
     for (const candidate& c : candidates) {
       prefetch(front_.edges[c.edge]);
       if (c.vertex >= 0) prefetch(front_.vertices[c.vertex]);
