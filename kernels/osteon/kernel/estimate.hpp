@@ -4,7 +4,9 @@
 /// \file
 /// Floating-point numbers that know how wrong they may be.
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
@@ -67,7 +69,12 @@ class estimated_planes {
 
   explicit estimated_planes(std::span<const moving_plane<integer, Dimension>> planes, std::span<const std::array<double, Dimension>> anchors = {})
       : planes_(round_planes<Dimension>(planes, anchors)) {
-    for (const auto& p : planes_) unscaled_ = unscaled_ && p.unscaled();
+    tilts_.resize(planes_.size());
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      const auto tilt = perturbation::of(static_cast<plane_id>(i)).u;
+      for (int axis = 0; axis < Dimension; ++axis) tilts_[i][axis] = estimate::input(std::ldexp(tilt[axis], -planes_[i].shift), planes_[i].exact, planes_[i].tilt_fit());
+      unscaled_ = unscaled_ && planes_[i].unscaled();
+    }
   }
 
   plane_id size() const { return static_cast<plane_id>(planes_.size()); }
@@ -84,10 +91,7 @@ class estimated_planes {
     for (int axis = 0; axis < Dimension; ++axis) sum = sum + n(i, axis) * estimate::input(p.anchor[axis] - planes_[origin].anchor[axis], true);
     return sum;
   }
-  estimate u(plane_id i, int axis) const {
-    const auto& p = planes_[i];
-    return estimate::input(std::ldexp(perturbation::of(i).u[axis], -p.shift), p.exact, p.tilt_fit());
-  }
+  estimate u(plane_id i, int axis) const { return tilts_[i][axis]; }
   estimate delta(plane_id i) const {
     const auto& p = planes_[i];
     return estimate::input(p.unscaled() ? p.delta : std::ldexp(p.delta, -p.shift - p.offset_shift), p.exact, p.tilt_fit());
@@ -102,6 +106,7 @@ class estimated_planes {
 
  private:
   std::vector<rounded_plane<Dimension>> planes_;
+  std::vector<std::array<estimate, Dimension>> tilts_;  // apart from the rest, because they are rarely needed
   bool unscaled_ = true;
 };
 
