@@ -315,7 +315,11 @@ class propagation {
     for (const int v : reflex_) vertex_boxes_.add(v, tracks_[v].swept);
     edge_boxes_.build();
     vertex_boxes_.build();
-    for (const int v : reflex_) look_from_vertex(v);
+    for (const int v : reflex_) {
+      look_from_vertex(v);
+      if (pairs_.size() > 64) consider_pairs();
+    }
+    consider_pairs();
   }
 
   // No longer than this is a vertex what it is, as far as is known.
@@ -369,16 +373,33 @@ class propagation {
   void insert_vertex(int v) { vertex_boxes_.insert(v, tracks_[v].swept); }
 
   void look_from_vertex(int v) {
-    edge_boxes_.search(tracks_[v].swept, [&](int e) {
-      if (front_.edges[e].alive) consider_contact(v, e);
-    });
+    edge_boxes_.search(tracks_[v].swept, [&](int e) { pairs_.push_back({v, e}); });
   }
   void look_from_edge(int e) {
-    boxes_of_edge(e, [&](const box& b) {
-      vertex_boxes_.search(b, [&](int v) {
-        if (front_.vertices[v].alive) consider_contact(v, e);
-      });
+    boxes_of_edge(e, [&](const box& b) { vertex_boxes_.search(b, [&](int v) { pairs_.push_back({v, e}); }); });
+  }
+
+  // Those that the searches have found, together, so that they wait together for what is far in memory.
+  void consider_pairs() {
+    for (const auto& [v, e] : pairs_) {
+      prefetch(front_.vertices[v]);
+      prefetch(front_.edges[e]);
+      prefetch(tracks_[v]);
+    }
+    std::erase_if(pairs_, [this](const pair& p) {
+      const auto& vertex = front_.vertices[p.vertex];
+      const auto& edge = front_.edges[p.edge];
+      return !vertex.alive || !edge.alive || vertex.before == edge.line || vertex.after == edge.line || tracks_[p.vertex].contact == p.edge;
     });
+    for (const auto& [v, e] : pairs_) {
+      prefetch_line(front_.line_before(v));
+      prefetch_line(front_.line_after(v));
+      prefetch_line(front_.edges[e].line);
+      prefetch(tracks_[front_.edges[e].tail].known_until);
+      prefetch(tracks_[front_.edges[e].head].known_until);
+    }
+    for (const auto& [v, e] : pairs_) consider_contact(v, e);
+    pairs_.clear();
   }
 
   // The reflex vertex reaches the line of the edge from inside, on the edge as it is now. Should the edge change, it is looked at again. So it is
@@ -387,7 +408,7 @@ class propagation {
     const line_id a = front_.line_before(v);
     const line_id b = front_.line_after(v);
     const line_id c = front_.edges[e].line;
-    if (a == c || b == c || tracks_[v].contact == e) return;
+    if (tracks_[v].contact == e) return;
     const triple q = sorted({a, b, c});
     const interval when = motion_.time(q);
     const double until = std::min({tracks_[v].known_until, tracks_[front_.edges[e].tail].known_until, tracks_[front_.edges[e].head].known_until});
@@ -788,6 +809,7 @@ class propagation {
       insert_vertex(vertices[i]);
       look_from_vertex(vertices[i]);
     }
+    consider_pairs();
   }
 
   const K& k_;
@@ -825,6 +847,11 @@ class propagation {
     bool forward;
   };
   std::vector<walker> walkers_;  // used by warm()
+  struct pair {
+    int vertex;
+    int edge;
+  };
+  std::vector<pair> pairs_;  // used by consider_pairs()
   box_tree edge_boxes_;
   box_tree vertex_boxes_;
 };
