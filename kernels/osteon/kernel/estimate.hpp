@@ -72,7 +72,8 @@ class estimated_planes {
     tilts_.resize(planes_.size());
     for (std::size_t i = 0; i < planes_.size(); ++i) {
       const auto tilt = perturbation::of(static_cast<plane_id>(i)).u;
-      for (int axis = 0; axis < Dimension; ++axis) tilts_[i][axis] = estimate::input(std::ldexp(tilt[axis], -planes_[i].shift), planes_[i].exact, planes_[i].tilt_fit());
+      for (int axis = 0; axis < Dimension; ++axis)
+        tilts_[i][axis] = estimate::input(std::ldexp(tilt[axis], -planes_[i].shift), planes_[i].exact, planes_[i].tilt_fit());
       unscaled_ = unscaled_ && planes_[i].unscaled();
     }
   }
