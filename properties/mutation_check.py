@@ -82,7 +82,7 @@ FAULTS = [
     ("plane: other edges on the line are not seen", INCLUDE + "planar/propagate.hpp", "return l != n.q[r] && std::find(", "return false && std::find(", [PLANE]),
     ("plane: an old candidate counts as a new one", INCLUDE + "planar/propagate.hpp", "if (!is_current(c) || lines_of(c) != triple(k_.planes(m)) ||",
      "if (!front_.edges[c.edge].alive || lines_of(c) != triple(k_.planes(m)) ||", [PLANE]),
-    ("plane: slices begin too late", INCLUDE + "planar/event_queue.hpp", "(heap_.empty() || heap_.front().when.last >= begin_[slice_])", "heap_.empty()", [PLANE]),
+    ("plane: slices begin too late", INCLUDE + "planar/event_queue.hpp", "(heap_.empty() || heap_.front().when.last >= next_begin())", "heap_.empty()", [PLANE]),
     ("plane: a box in two parts is put into one", INCLUDE + "planar/broad_phase.hpp", "for (std::uint32_t j = from[1]; j <= to[1]; ++j)",
      "for (std::uint32_t j = from[1]; j <= from[1]; ++j)", [PLANE]),
     ("plane: the side of a convex tail is turned round", INCLUDE + "planar/propagate.hpp", "== front_.vertices[front_.edges[e].tail].reflex) return false;",
