@@ -56,7 +56,7 @@ class contraction {
 
  private:
   using meeting = typename K::meeting;
-  static constexpr std::size_t ahead = 16;  // nodes; what theirs are is on the way meanwhile
+  static constexpr std::size_t ahead = 16;  // so many nodes before their turn their lines are asked for
 
   struct place {
     int raw;     ///< its first node
