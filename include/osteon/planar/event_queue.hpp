@@ -82,11 +82,11 @@ class event_queue {
     return events_[id];
   }
 
-  /// Before many are pushed: time is cut into slices anew afterwards. Those for which keep(candidate) is false are forgotten.
+  /// Before many are pushed: time is cut into slices anew afterwards. Those for which keep(candidate), which may change it, is false are forgotten.
   template <class Keep>
   void restart(Keep keep) {
     std::vector<candidate> all;
-    const auto add = [&](const candidate& c) {
+    const auto add = [&](candidate c) {
       if (keep(c)) all.push_back(c);
     };
     for (const entry& e : heap_) add(events_[e.id].what);

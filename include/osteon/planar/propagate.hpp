@@ -66,12 +66,12 @@ class propagation {
       if (window_.last < infinity) {
         if (queue_.empty() || !(queue_.top_time().last <= window_.last)) {
           if (window_.last >= options_.until) break;
-          if (8 * changes_ < static_cast<int>(living_.size())) step_ *= 2;
+          if (8 * changes_ < static_cast<int>(front_.edges.size())) step_ *= 2;
           // A meeting whose time is not known well must not be overtaken.
           open_window(queue_.empty() ? window_.last : std::clamp(queue_.top_time().first, window_.first, window_.last));
           continue;
         }
-        if (2 * changes_ > static_cast<int>(living_.size()) + 100) {
+        if (2 * changes_ > static_cast<int>(front_.edges.size()) + 100) {
           // Too much happens: what has changed crowds the trees.
           const double time = std::clamp(when_.first, window_.first, window_.last);
           step_ = std::clamp((time - window_.first) / 2, step_ / 16, step_ / 2);
@@ -118,7 +118,6 @@ class propagation {
     box swept{};                                                    ///< what it sweeps in this window
     double known_until = -std::numeric_limits<double>::infinity();  ///< so far that reaches
     int contact = -1;                                               ///< an edge it hits, so the queue says
-    bool listed = false;                                            ///< among the reflex vertices
   };
 
   // What the wavefront looks like around a meeting point: the edge on every piece of the three lines, by label.
@@ -145,7 +144,6 @@ class propagation {
     result_.faces.reserve(polygon_.next.size());
     front_.edges.reserve(3 * polygon_.next.size() / 2);
     collapse_.reserve(3 * polygon_.next.size() / 2);
-    living_.reserve(3 * polygon_.next.size() / 2);
     front_.vertices.reserve(polygon_.next.size());
     tracks_.reserve(polygon_.next.size());
     std::vector<int> previous(n);
@@ -170,14 +168,11 @@ class propagation {
       if (last >= 0 && front_.edges[last].line == front_.edges[e].line) front_.insert_after(last, e);
       last = e;
     }
-    for (int v = 0; v < n; ++v) {
-      tracks_.push_back({motion_.begin(front_.line_before(v), front_.line_after(v), nullptr)});
-      if (front_.vertices[v].alive) list_reflex(v);
-    }
-    for (int e = 0; e < n; ++e) living_.push_back(e);
+    for (int v = 0; v < n; ++v) tracks_.push_back({motion_.begin(front_.line_before(v), front_.line_after(v), nullptr)});
     collapse_.assign(n, never);
     for (int e = 0; e < n; ++e)
       if (front_.edges[e].alive) watch_collapse(e);
+    numbered_ = n;
     window_ = {0, 0};
     step_ = spacing() / motion_.speed() / 8;
   }
@@ -262,61 +257,89 @@ class propagation {
 
   // ---- windows and candidates
 
-  bool reflex_left() {
-    std::erase_if(reflex_, [this](int v) {
-      if (front_.vertices[v].alive && front_.vertices[v].reflex) return false;
-      tracks_[v].listed = false;
-      return true;
-    });
-    return !reflex_.empty();
-  }
-  void list_reflex(int v) {
-    if (tracks_[v].listed || !front_.vertices[v].reflex) return;
-    tracks_[v].listed = true;
-    reflex_.push_back(v);
-  }
-
   // Whether the wavefront is the outside of one convex polygon: then nothing meets any more.
   bool surrounds() const {
-    if (reflex_.size() != living_.size()) return false;
-    std::size_t length = 0;
-    int e = living_.front();
+    const auto first = std::ranges::find_if(front_.vertices, &wavefront::vertex::alive) - front_.vertices.begin();
+    int v = static_cast<int>(first);
+    int length = 0;
     do {
-      e = front_.vertices[front_.edges[e].head].out;
+      if (!front_.vertices[v].reflex) return false;
+      v = front_.edges[front_.vertices[v].out].head;
       ++length;
-    } while (e != living_.front());
-    return length == living_.size();
+    } while (v != first && length < alive_);
+    return v == first && length == alive_;
+  }
+
+  // Neighbours become neighbours in memory, and dead elements are forgotten.
+  void renumber() {
+    const auto renumbered = front_.renumber();
+    if (!renumbered) broken_invariant<K>("the wavefront consists of closed rings");
+    const wavefront::numbering& now = *renumbered;
+    numbered_ = static_cast<int>(result_.nodes.size());
+    std::vector<interval> collapse;
+    std::vector<track> tracks;
+    collapse.reserve(front_.edges.capacity());
+    tracks.reserve(front_.vertices.capacity());
+    collapse.resize(front_.edges.size());
+    tracks.resize(front_.vertices.size());
+    for (std::size_t e = 0; e < now.edges.size(); ++e)
+      if (now.edges[e] >= 0) collapse[now.edges[e]] = collapse_[e];
+    for (std::size_t v = 0; v < now.vertices.size(); ++v)
+      if (now.vertices[v] >= 0) {
+        track& t = tracks[now.vertices[v]] = tracks_[v];
+        if (t.contact >= 0) t.contact = now.edges[t.contact];
+      }
+    collapse_ = std::move(collapse);
+    tracks_ = std::move(tracks);
+    free_.clear();
+    for (int& e : fresh_) e = now.edges[e];
+    for (merge& m : merged_) m.edge = now.edges[m.edge];
+    std::erase(fresh_, -1);
+    std::erase_if(merged_, [](const merge& m) { return m.edge < 0; });
+    queue_.restart([&](candidate& c) {
+      c.edge = now.edges[c.edge];
+      if (c.vertex >= 0) c.vertex = now.vertices[c.vertex];
+      return c.edge >= 0 && (c.arc < 0 || c.vertex >= 0) && is_current(c);
+    });
   }
 
   // Looks for all contacts of the next stretch of time.
   void open_window(double from) {
-    std::erase_if(living_, [this](int e) { return !front_.edges[e].alive; });
     changes_ = 0;
-    queue_.restart([this](const candidate& c) { return is_current(c); });
-    contacts_ = reflex_left() && !(options_.outside && surrounds());
+    // Every time would be slower where little happens in a window.
+    if (numbered_ + alive_ / 4 < static_cast<int>(result_.nodes.size()))
+      renumber();
+    else
+      queue_.restart([this](const candidate& c) { return is_current(c); });
+    const int edges = static_cast<int>(front_.edges.size());
+    const int vertices = static_cast<int>(front_.vertices.size());
+    const auto is_reflex = [](const auto& v) { return v.alive && v.reflex; };
+    contacts_ = std::ranges::any_of(front_.vertices, is_reflex) && !(options_.outside && surrounds());
     window_ = {from, contacts_ ? std::min(std::max(from, window_.last) + step_, options_.until) : options_.until};
     if (!(window_.last > window_.first)) window_.last = infinity;
-    for (const int e : living_)
-      if (collapse_[e].first > queued_until_ && collapse_[e].first <= window_.last && collapse_[e].first < infinity &&
+    for (int e = 0; e < edges; ++e)
+      if (front_.edges[e].alive && collapse_[e].first > queued_until_ && collapse_[e].first <= window_.last && collapse_[e].first < infinity &&
           !queue_collapse(e, lines_at(e), collapse_[e]))
         collapse_[e] = never;
     queued_until_ = std::max(queued_until_, window_.last);
     if (!contacts_) return;
     box frame;
-    for (const int e : living_) {
-      const int v = front_.edges[e].tail;
+    for (int v = 0; v < vertices; ++v) {
+      if (!front_.vertices[v].alive) continue;
       tracks_[v].known_until = life(v);
       tracks_[v].swept = swept(v);
       frame.add(tracks_[v].swept);
     }
     edge_boxes_.clear(frame);
     vertex_boxes_.clear(frame);
-    for (const int e : living_) boxes_of_edge(e, [&](const box& b) { edge_boxes_.add(e, b); });
-    for (const int v : reflex_) vertex_boxes_.add(v, tracks_[v].swept);
+    for (int e = 0; e < edges; ++e)
+      if (front_.edges[e].alive) boxes_of_edge(e, [&](const box& b) { edge_boxes_.add(e, b); });
+    for (int v = 0; v < vertices; ++v)
+      if (is_reflex(front_.vertices[v])) vertex_boxes_.add(v, tracks_[v].swept);
     edge_boxes_.build();
     vertex_boxes_.build();
-    for (const int v : reflex_) {
-      look_from_vertex(v);
+    for (int v = 0; v < vertices; ++v) {
+      if (is_reflex(front_.vertices[v])) look_from_vertex(v);
       if (pairs_.size() > 64) consider_pairs();
     }
     consider_pairs();
@@ -747,7 +770,6 @@ class propagation {
       front_.insert_after(e, f);
       front_.vertices[front_.edges[e].head].in = f;
       collapse_.push_back(never);
-      living_.push_back(f);
       ++alive_;
     }
     if (through_first && !(through_segment && through_last)) (through_segment ? far : near).in = e;
@@ -774,8 +796,7 @@ class propagation {
     front_.edges[c.in].head = v;
     front_.edges[c.out].tail = v;
     begin_arc(v, node);
-    tracks_[v] = {.path = motion_.begin(front_.edges[c.in].line, front_.edges[c.out].line, &birth), .listed = tracks_[v].listed};
-    list_reflex(v);
+    tracks_[v] = {motion_.begin(front_.edges[c.in].line, front_.edges[c.out].line, &birth)};
   }
 
   // These edges, vertices that live longer than was known, and the edges at them, are looked at anew.
@@ -822,16 +843,15 @@ class propagation {
   event_queue<K> queue_;
   skeleton result_;
   int alive_ = 0;
-  std::vector<int> living_;  // edges, some of them dead
-  std::vector<int> reflex_;  // vertices, some of them dead or convex by now
-  std::vector<int> free_;    // dead vertices
+  std::vector<int> free_;  // dead vertices
 
   interval window_{0, 0};
   interval when_{0, 0};              // contains the present moment
   double queued_until_ = -infinity;  // so far all collapses are in the queue
   double step_ = 0;
-  bool contacts_ = true;  // some are possible
-  int changes_ = 0;
+  bool contacts_ = true;    // some are possible
+  int changes_ = 0;         // in this window
+  int numbered_ = 0;        // how many nodes there were when elements got their numbers
   std::vector<int> fresh_;  // edges that have changed at this moment and may have no length
   // Edges that have become one with another on their line at this moment, at a node of a third line.
   struct merge {

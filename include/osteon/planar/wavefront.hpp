@@ -4,6 +4,8 @@
 /// \file
 /// The moving polygon: edges on lines, vertices between them, and the order of the edges on each line.
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "osteon/planar/kernel.hpp"
@@ -49,6 +51,40 @@ struct wavefront {
     edges[f].next = edges[e].next;
     edges[e].next = f;
     if (edges[f].next >= 0) edges[edges[f].next].previous = f;
+  }
+
+  /// New numbers by old ones, -1 for what is dead.
+  struct numbering {
+    std::vector<int> edges;
+    std::vector<int> vertices;
+  };
+  /// Numbers the living elements along their rings, so that neighbours are near in memory, and each vertex as the edge that starts there; forgets the
+  /// dead ones. Nothing where a ring is not closed, which decisions that contradict each other can bring about; the wavefront is as it was then.
+  std::optional<numbering> renumber() {
+    numbering now{std::vector<int>(edges.size(), -1), std::vector<int>(vertices.size(), -1)};
+    wavefront kept;
+    kept.edges.reserve(edges.size());
+    kept.vertices.reserve(edges.size());
+    for (int first = 0; first < static_cast<int>(edges.size()); ++first)
+      for (int e = first; edges[e].alive && now.edges[e] < 0; e = vertices[edges[e].head].out) {
+        now.edges[e] = now.vertices[edges[e].tail] = static_cast<int>(kept.edges.size());
+        kept.edges.push_back(edges[e]);
+        kept.vertices.push_back(vertices[edges[e].tail]);
+      }
+    for (edge& e : kept.edges) {
+      e.tail = now.vertices[e.tail];
+      e.head = now.vertices[e.head];
+      if (e.head < 0) return std::nullopt;
+      if (e.previous >= 0) e.previous = now.edges[e.previous];
+      if (e.next >= 0) e.next = now.edges[e.next];
+    }
+    for (vertex& v : kept.vertices) {
+      v.in = now.edges[v.in];
+      v.out = now.edges[v.out];
+      if (v.in < 0 || v.out < 0) return std::nullopt;
+    }
+    *this = std::move(kept);
+    return now;
   }
 };
 
