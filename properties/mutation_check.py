@@ -94,6 +94,8 @@ FAULTS = [
      "return front_.edges[e].alive ||", [PLANE]),
     ("plane: what is infinitely late happens", INCLUDE + "planar/propagate.hpp", " && collapse_[e].first < infinity &&", " &&", [OUTSIDE]),
     ("plane: the outside is linked as the inside", INCLUDE + "planar/check.hpp", "if (touching && outside_) link_sectors(true);", "", [OUTSIDE]),
+    ("plane: rings that are left may cross", INCLUDE + "planar/forever.hpp", "if (e < f && touch(e, f)) return e;", "", [OUTSIDE]),
+    ("plane: rings that are left may lie in one another", INCLUDE + "planar/forever.hpp", "if (winding != 0) return e;", "", [OUTSIDE]),
     ("the anchors' differences are forgotten", KERNELS + "estimate.hpp", "if (i == origin) return sum;", "return sum;", [PLANE]),
     ("drifts count where times differ", KERNELS + "perturbed.hpp", "      if (s != sign::zero) return s;\n      if constexpr (requires { k_.compare_drift",
      "      if constexpr (requires { k_.compare_drift", [PLANE]),

@@ -22,8 +22,9 @@
 /// that edges keep a positive length is shown anew for its neighbours. What is said above then holds in the limit.
 ///
 /// Outside of a polygon w falls from 0 to -1 and the wavefront goes on for ever. Far away, its edges are tangents around one point that lies on
-/// their right; so w ends at minus the number of turns that the wavefront makes, and one turn is what must be left. What happens infinitely late in
-/// the limit (edges of one direction and one speed are neighbours then) is no event of the skeleton.
+/// their right; so w ends at minus the number of turns that the wavefront makes, and one turn is what must be left. Edges of weight zero are no such
+/// tangents, and several rings may be left; then that they do not cross and how often they go around is shown pair by pair (forever.hpp). What
+/// happens infinitely late in the limit (edges of one direction and one speed are neighbours then) is no event of the skeleton.
 
 #include <algorithm>
 #include <array>
@@ -40,6 +41,7 @@
 #include <vector>
 
 #include "osteon/planar/contract.hpp"
+#include "osteon/planar/forever.hpp"
 #include "osteon/planar/kernel.hpp"
 #include "osteon/planar/polygon.hpp"
 #include "osteon/planar/skeleton.hpp"
@@ -92,8 +94,8 @@ void check_outline(const K& k, const outline& polygon) {
 template <planar_kernel K>
 class verifier {
  public:
-  verifier(const K& k, const outline& polygon, const skeleton& s, bool outside)
-      : k_(k), polygon_(polygon), s_(s), outside_(outside), now_(k.start()), crowd_(in_order{this}) {}
+  verifier(const K& k, const outline& polygon, const skeleton& s, bool outside, bool held)
+      : k_(k), polygon_(polygon), s_(s), outside_(outside), held_(held), now_(k.start()), crowd_(in_order{this}) {}
   verifier(const verifier&) = delete;
   verifier& operator=(const verifier&) = delete;
 
@@ -634,7 +636,31 @@ class verifier {
       const auto m = k_.meet(q);
       demand(!m || k_.compare(*m, now_) != sign::positive || is_never(*m), rule::end, "arc", a, "never ends, but an edge beside it vanishes");
     }
-    // One ring, and it turns right once in all: count how often its direction passes that of one edge.
+    if (held_)
+      check_rings(left);
+    else
+      check_turns(left);
+  }
+
+  void check_rings(const std::vector<int>& left) const {
+    std::vector<int> number(edges_.size(), -1);
+    std::vector<typename last_wavefront<K>::edge> rings;
+    for (const int a : left) {
+      number[edge_of_[a]] = static_cast<int>(rings.size());
+      const edge& e = edges_[edge_of_[a]];
+      rings.push_back({e.line, e.before, e.after});
+    }
+    for (auto& e : rings) {
+      e.before = number[e.before];
+      e.after = number[e.after];
+      demand(e.before >= 0 && e.after >= 0, rule::end, "edge on line", e.line, "goes on for ever beside one that does not");
+    }
+    if (const auto e = last_wavefront<K>(k_, std::move(rings)).find_crossing())
+      demand(false, rule::end, "arc", left[*e], "never ends, but an edge beside it meets another one");
+  }
+
+  // One ring, and it turns right once in all: count how often its direction passes that of one edge.
+  void check_turns(const std::vector<int>& left) const {
     const int first = edge_of_[left.front()];
     const line_id direction = edges_[first].line;
     std::size_t length = 0;
@@ -650,8 +676,7 @@ class verifier {
       ++length;
       e = f;
     } while (e != first);
-    demand(length == left.size() && turns == -1, rule::end, "arc", left.front(),
-           "what never ends does not go once around (only edges of weight zero could make that right)");
+    demand(length == left.size() && turns == -1, rule::end, "arc", left.front(), "what never ends does not go once around");
   }
 
   bool is_never(const meeting& m) const {
@@ -663,6 +688,7 @@ class verifier {
   const outline& polygon_;
   const skeleton& s_;
   const bool outside_;
+  const bool held_;
   meeting now_;
   std::optional<meeting> moment_;  // the last one that has a moment in the limit
   std::vector<int> shifted_;       // edges whose ends a late event has moved
@@ -682,11 +708,12 @@ class verifier {
 };
 
 /// Certifies a raw skeleton of a checked polygon, or refutes it. `k` is a perturbed kernel with the polygon's lines. With `outside` the interior is
-/// not bounded (see make_polygon), and what never ends is checked too; where edges of weight zero are among it, a true skeleton may be
-/// refuted by rule::end. No skeleton, however wrong, does harm. Time O(n log n), about ten predicates for each event; memory linear.
+/// not bounded (see make_polygon), and what never ends is checked too; `held` tells that edges of weight zero may be among it. No skeleton, however
+/// wrong, does harm. Time O(n log n), about ten predicates for each event, and with `outside` and `held` quadratic in the number of edges that never
+/// vanish; memory linear.
 template <planar_kernel K>
-std::optional<refutation> verify(const K& k, const outline& polygon, const skeleton& raw, bool outside = false) {
-  return verifier<K>(k, polygon, raw, outside).run();
+std::optional<refutation> verify(const K& k, const outline& polygon, const skeleton& raw, bool outside = false, bool held = false) {
+  return verifier<K>(k, polygon, raw, outside, held).run();
 }
 
 /// Checks a contracted skeleton against a certified raw one, under the kernel below the perturbation.
