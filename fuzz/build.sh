@@ -11,9 +11,7 @@ for program in "$build"/fuzz/fuzz_*; do
   name=$(basename "$program")
   target=${name#fuzz_}
   cp "$program" "$OUT/"
-  folders=()
-  for folder in "$source/fuzz/corpus/$target" "$source/fuzz/regressions/$target"; do [ -d "$folder" ] && folders+=("$folder"); done
-  [ "$target" = obj ] && folders+=("$source/tests/bad_input" "$source/tests/models")
+  mapfile -t folders < <("$source/fuzz/seeds" "$target")
   [ ${#folders[@]} -eq 0 ] || zip -q -j -r "$OUT/${name}_seed_corpus.zip" "${folders[@]}"
   [ ! -f "$source/fuzz/$target.dict" ] || cp "$source/fuzz/$target.dict" "$OUT/$name.dict"
   printf '[libfuzzer]\nmax_len = %s\ntimeout = 10\nrss_limit_mb = 2048\n' "$("$source/fuzz/max_len" "$target")" > "$OUT/$name.options"

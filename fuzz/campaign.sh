@@ -14,9 +14,7 @@ found="$build/fuzz/found-$target"
 failed="$build/fuzz/failed-$target"
 mkdir -p "$found" "$failed" "$here/corpus/$target"
 limits=(-entropic=0 -max_len="$("$here/max_len" "$target")" -timeout=10 -rss_limit_mb=2048)
-seeds=("$here/corpus/$target")
-[ -d "$here/regressions/$target" ] && seeds+=("$here/regressions/$target")
-[ "$target" = obj ] && seeds+=("$here/../tests/bad_input" "$here/../tests/models")
+mapfile -t seeds < <("$here/seeds" "$target")
 [ -f "$here/$target.dict" ] && limits+=(-dict="$here/$target.dict")
 if $keep; then
   # The fewest files that reach the same edges.

@@ -14,9 +14,7 @@ for source in "$here"/fuzz_*.cpp; do
   target=$(basename "$source" .cpp)
   target=${target#fuzz_}
   cmake --build "$build" --target "replay_$target" > /dev/null
-  inputs=()
-  for folder in "$here/corpus/$target" "$here/regressions/$target"; do [ -d "$folder" ] && inputs+=("$folder"); done
-  [ "$target" = obj ] && inputs+=("$here/../tests/bad_input" "$here/../tests/models")
+  mapfile -t inputs < <("$here/seeds" "$target")
   for folder in "$@"; do [ -d "$folder/found-$target" ] && inputs+=("$folder/found-$target"); done
   LLVM_PROFILE_FILE="$build/$target.profraw" "$build/fuzz/replay_$target" "${inputs[@]}" | tail -n 1 | sed "s/^/$target: /"
   programs+=("$build/fuzz/replay_$target")

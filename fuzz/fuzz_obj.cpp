@@ -10,19 +10,13 @@
 #include <string>
 
 #include "check.hpp"
+#include "input_error.hpp"
 #include "osteon/kernel/integer.hpp"
 #include "osteon/obj.hpp"
 #include "osteon/solid.hpp"
 
 namespace osteon::fuzz {
 namespace {
-
-void check_error(const input_error& e) {
-  const std::string what = e.what();
-  require(what.find("; cure: ") != std::string::npos && !e.cure.empty(), "an input error names a cure");
-  require(std::all_of(what.begin(), what.end(), [](char c) { return c >= ' ' && c <= '~'; }), "a message is printable");
-  require(what.size() < 1000, "a message is short");
-}
 
 void check_mesh(const mesh<integer>& m, std::size_t bytes) {
   require(!m.points.empty() && !m.facets.empty(), "a mesh has points and facets");

@@ -98,7 +98,7 @@ class wavefront_reader {
     std::vector<int> fill(first.begin(), first.end() - 1);
     for (const int a : living_)
       for (const bool starts : {false, true}) ends[fill[raw_.arcs[a].faces[starts ? 1 : 0]]++] = {a, starts};
-    for (std::size_t f = 0; f < raw_.faces.size(); ++f) link_face(&ends[0] + first[f], &ends[0] + first[f + 1]);
+    for (std::size_t f = 0; f < raw_.faces.size(); ++f) link_face(ends.data() + first[f], ends.data() + first[f + 1]);
   }
 
   struct edge_end {

@@ -67,10 +67,10 @@ class motion {
     const double d_error = error * (std::abs(a.d) + std::abs(b.d) + std::abs(c.d));  // |l| <= 1 within error / 2
     const double s_error = error * (a.speed + b.speed + c.speed);
     const double below = std::abs(s) - s_error;
-    if (!(below > 0)) return {std::max(0.0, (std::abs(d) - d_error) / (std::abs(s) + s_error)), infinity};
     const double t = d / s;
-    const double radius = (d_error + std::abs(t) * s_error) / below * (1 + 0x1p-40) + std::abs(t) * 0x1p-50;
-    return {t - radius, t + radius};
+    const double radius = (d_error + std::abs(t) * s_error) / below * (1 + 0x1p-40) + std::abs(t) * 0x1p-50 + smallest;
+    if (below > 0 && std::abs(t) + radius < infinity) return {t - radius, t + radius};
+    return {std::min(std::max(0.0, (std::abs(d) - d_error) / (std::abs(s) + s_error)), largest), infinity};
   }
 
   /// The same within a thousandth, or nearly as sharp as doubles can say it; infinite where S is zero and the lines do not always meet. Slower.
@@ -101,7 +101,8 @@ class motion {
       const int d_bits = bit_length(d);
       const int s_bits = bit_length(s);
       const double t = std::ldexp(to_double(d, d_bits) / to_double(s, s_bits), d_bits - s_bits + static_cast<int>(precision) - unit_bits_);
-      const double radius = std::abs(t) * 0x1p-50;
+      if (std::abs(t) > largest) return t > 0 ? interval{largest, infinity} : interval{-infinity, -largest};
+      const double radius = std::abs(t) * 0x1p-50 + smallest;
       return {t - radius, t + radius};
     }
     return d == 0 ? rough : interval{infinity, infinity};  // S is zero
@@ -164,6 +165,8 @@ class motion {
     double speed;
   };
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double largest = std::numeric_limits<double>::max();
+  static constexpr double smallest = std::numeric_limits<double>::denorm_min();
   static constexpr double error = 0x1p-46;  // of the expressions above, relative to the sum of their terms' sizes
 
   static double cross(const std::array<double, 2>& a, const std::array<double, 2>& b) { return a[0] * b[1] - a[1] * b[0]; }

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+
+// The readers of polygons on any bytes: rings that keep their promises or an input error that a terminal can print; what is then accepted as a
+// polygon has a skeleton with a certificate, or encloses a part that never vanishes.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "check.hpp"
+#include "input_error.hpp"
+#include "osteon/error.hpp"
+#include "osteon/kernel/integer.hpp"
+#include "osteon/planar/check.hpp"
+#include "osteon/planar/read.hpp"
+#include "planar_skeletons.hpp"
+
+namespace osteon::fuzz {
+namespace {
+
+std::size_t points_of(const planar::rings<integer>& r) {
+  std::size_t count = 0;
+  for (const auto& ring : r.all) {
+    require(ring.weights.empty() || ring.weights.size() == ring.points.size(), "a ring has as many weights as points");
+    require(ring.lines.empty() || ring.lines.size() == ring.points.size(), "a ring has as many lines as points");
+    count += ring.points.size();
+  }
+  return count;
+}
+
+void check_polygon(const planar::polygon<integer>& p) {
+  const std::size_t n = p.points.size();
+  require(n >= 3 && p.parts >= 1 && p.holes >= 0, "a polygon has three vertices");
+  require(p.outline.next.size() == n && p.outline.line.size() == n && p.outline.rank.size() == n && p.input_points.size() == n, "lists are complete");
+  for (std::size_t e = 0; e < n; ++e) {
+    const auto& l = p.lines[static_cast<std::size_t>(p.outline.line[e])];
+    for (const std::size_t end : {e, static_cast<std::size_t>(p.outline.next[e])})
+      require(l.n[0] * p.points[end][0] + l.n[1] * p.points[end][1] == l.d, "an edge lies on its line");
+  }
+}
+
+void run(const std::string& text) {
+  planar::rings<integer> rings;
+  try {
+    std::istringstream in(text);
+    rings = planar::read_polygon<integer>(in, "input");
+  } catch (const input_error& e) {
+    check_error(e);
+    tally::add("refused by the reader");
+    return;
+  }
+  const std::size_t count = points_of(rings);
+  require(count <= text.size(), "a polygon is not larger than its file");
+  // Numbers of a thousand digits are slow to build with.
+  if (count > 64 || text.size() > 2048) {
+    tally::add("read");
+    return;
+  }
+  for (const bool outside : {false, true}) {
+    planar::polygon<integer> p;
+    try {
+      p = planar::make_polygon(rings, outside);
+    } catch (const input_error& e) {
+      check_error(e);
+      tally::add("refused as a polygon");
+      continue;
+    }
+    check_polygon(p);
+    try {
+      certified(planar_kernel_of(p), p, outside);
+      tally::add("a skeleton");
+    } catch (const unsupported_error&) {
+      require(has_held_edge(p), "only held edges enclose what never vanishes");
+      tally::add("never vanishes");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace osteon::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  osteon::fuzz::run(std::string(data, data + size));
+  return 0;
+}
