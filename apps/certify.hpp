@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -34,9 +33,8 @@ inline std::optional<refutation> certify(const solid<integer>& s, const std::str
 /// The same for a polygon.
 inline std::optional<planar::refutation> certify(const planar::polygon<integer>& p, const std::string& name, const planar_skeletons& s,
                                                  bool outside) {
-  const bool held = std::any_of(p.lines.begin(), p.lines.end(), [](const auto& l) { return l.weight == 0; });
   const auto check = [&](const auto& k) -> std::optional<planar::refutation> {
-    if (auto broken = planar::verify(k, p.outline, s.raw, outside, held)) return broken;
+    if (auto broken = planar::verify(k, p.outline, s.raw, outside, has_held_edge(p))) return broken;
     return s.exact ? planar::verify_contraction(k.base(), p.outline, s.raw, *s.exact) : std::nullopt;
   };
   const std::span<const moving_line<integer>> lines(p.lines);

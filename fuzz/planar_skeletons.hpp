@@ -4,7 +4,6 @@
 /// \file
 /// A planar skeleton with its certificates.
 
-#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,10 +20,6 @@
 #include "osteon/planar/verify.hpp"
 
 namespace osteon::fuzz {
-
-inline bool has_held_edge(const planar::polygon<integer>& p) {
-  return std::any_of(p.lines.begin(), p.lines.end(), [](const auto& l) { return l.weight == 0; });
-}
 
 inline auto planar_kernel_of(const planar::polygon<integer>& p, bool mirrored = false) {
   const std::span<const moving_line<integer>> lines(p.lines);

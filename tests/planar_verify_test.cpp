@@ -77,10 +77,6 @@ struct tally {
   int unsupported = 0;
 };
 
-bool has_held(const planar::polygon<integer>& p) {
-  return std::any_of(p.lines.begin(), p.lines.end(), [](const auto& l) { return l.weight == 0; });
-}
-
 void certify(const polygon_sample& s, bool outside, tally& count) {
   SCOPED_TRACE(s.name + (outside ? ", outside" : ""));
   const auto p = planar::make_polygon(s.rings, outside);
@@ -88,7 +84,7 @@ void certify(const polygon_sample& s, bool outside, tally& count) {
   try {
     const auto raw = skeleton_under(k, p, outside);
     ++count.certified;
-    EXPECT_EQ(text_of(planar::verify(k, p.outline, raw, outside, has_held(p))), "certified");
+    EXPECT_EQ(text_of(planar::verify(k, p.outline, raw, outside, has_held_edge(p))), "certified");
     EXPECT_EQ(text_of(planar::verify_contraction(k.base(), p.outline, raw, planar::contract(k.base(), p.outline.line, raw))), "certified");
   } catch (const unsupported_error&) {
     ++count.unsupported;  // a part that is enclosed by held edges
@@ -151,7 +147,7 @@ TEST(PlanarCertificate, OfTheOutsideOfIslands) {
     const auto p = planar::make_polygon(islands(seed), true);
     const auto k = kernel_of(p);
     const auto raw = skeleton_under(k, p, true);
-    const auto verdict = [&](const planar::skeleton& of) { return text_of(planar::verify(k, p.outline, of, true, has_held(p))); };
+    const auto verdict = [&](const planar::skeleton& of) { return text_of(planar::verify(k, p.outline, of, true, has_held_edge(p))); };
     EXPECT_EQ(verdict(raw), "certified");
     for (std::size_t end = p.points.size(); end < raw.nodes.size(); ++end) {
       planar::skeleton cut = raw;

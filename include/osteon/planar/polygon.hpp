@@ -57,6 +57,12 @@ struct polygon {
   std::vector<std::string> repairs;  ///< what was changed or accepted, one sentence each; empty: nothing
 };
 
+/// Whether an edge has weight zero: it stays where it is.
+template <class Int>
+bool has_held_edge(const polygon<Int>& p) {
+  return std::any_of(p.lines.begin(), p.lines.end(), [](const auto& l) { return l.weight == 0; });
+}
+
 /// Sets the ranks of edges from the points of their tails. Cost: sorting.
 template <class Int>
 void rank_edges(outline& o, const std::vector<std::array<Int, 2>>& points) {

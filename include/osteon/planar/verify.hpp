@@ -656,7 +656,7 @@ class verifier {
       demand(e.before >= 0 && e.after >= 0, rule::end, "edge on line", e.line, "goes on for ever beside one that does not");
     }
     if (const auto e = last_wavefront<K>(k_, std::move(rings)).find_crossing())
-      demand(false, rule::end, "arc", left[*e], "never ends, but an edge beside it meets another one");
+      demand(false, rule::end, "arc", left[*e], "never ends, but an edge beside it meets another one, or rings lie wrongly in one another");
   }
 
   // One ring, and it turns right once in all: count how often its direction passes that of one edge.
