@@ -14,9 +14,9 @@
 #include "commands.hpp"
 #include "common.hpp"
 #include "documents.hpp"
-#include "osteon/ambiguity.hpp"
-#include "osteon/kernel/offset_volume.hpp"
-#include "osteon/propagate.hpp"
+#include "osteon/evaluate/volume.hpp"
+#include "osteon/space/ambiguity.hpp"
+#include "osteon/space/propagate.hpp"
 
 namespace osteon::app {
 namespace {

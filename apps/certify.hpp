@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "common.hpp"
-#include "osteon/planar/verify.hpp"
-#include "osteon/verify.hpp"
+#include "osteon/plane/verify.hpp"
+#include "osteon/space/verify.hpp"
 #include "planar.hpp"
 
 namespace osteon::app {

@@ -19,15 +19,15 @@
 #include <string>
 #include <vector>
 
-#include "osteon/contract.hpp"
+#include "osteon/input/read_obj.hpp"
+#include "osteon/input/solid.hpp"
 #include "osteon/kernel/double.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/rational.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/obj.hpp"
-#include "osteon/propagate.hpp"
-#include "osteon/solid.hpp"
+#include "osteon/space/contract.hpp"
+#include "osteon/space/propagate.hpp"
 
 namespace osteon::app {
 

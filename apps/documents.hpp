@@ -15,12 +15,12 @@
 #include <vector>
 
 #include "json_reader.hpp"
-#include "osteon/contract.hpp"
-#include "osteon/error.hpp"
+#include "osteon/core/error.hpp"
+#include "osteon/evaluate/locate.hpp"
+#include "osteon/input/solid.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/kernel/locate.hpp"
-#include "osteon/skeleton.hpp"
-#include "osteon/solid.hpp"
+#include "osteon/space/contract.hpp"
+#include "osteon/space/skeleton.hpp"
 
 namespace osteon::app {
 

@@ -5,8 +5,8 @@
 
 #include "commands.hpp"
 #include "common.hpp"
-#include "osteon/models.hpp"
-#include "osteon/planar/models.hpp"
+#include "osteon/models/polygons.hpp"
+#include "osteon/models/polyhedra.hpp"
 
 namespace osteon::app {
 namespace {

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/error.hpp"
+#include "osteon/core/error.hpp"
 #include "osteon/kernel/integer.hpp"
 
 namespace osteon::app {

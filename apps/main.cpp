@@ -10,7 +10,7 @@
 #include <new>
 
 #include "commands.hpp"
-#include "osteon/error.hpp"
+#include "osteon/core/error.hpp"
 
 namespace osteon::app {
 namespace {

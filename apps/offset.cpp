@@ -11,7 +11,7 @@
 #include "certify.hpp"
 #include "commands.hpp"
 #include "json_reader.hpp"
-#include "osteon/kernel/planar_offset.hpp"
+#include "osteon/evaluate/offset.hpp"
 #include "planar.hpp"
 
 namespace osteon::app {

@@ -19,17 +19,17 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/kernel/anchors.hpp"
+#include "osteon/evaluate/anchors.hpp"
+#include "osteon/evaluate/vertex_enclosures.hpp"
+#include "osteon/input/make_polygon.hpp"
+#include "osteon/input/read_polygon.hpp"
 #include "osteon/kernel/double.hpp"
 #include "osteon/kernel/filtered.hpp"
-#include "osteon/kernel/motion.hpp"
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/rational.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/planar/check.hpp"
-#include "osteon/planar/contract.hpp"
-#include "osteon/planar/propagate.hpp"
-#include "osteon/planar/read.hpp"
+#include "osteon/plane/contract.hpp"
+#include "osteon/plane/propagate.hpp"
 
 namespace osteon::app {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "json_reader.hpp"
-#include "osteon/kernel/planar_locate.hpp"
+#include "osteon/evaluate/planar_locate.hpp"
 #include "planar.hpp"
 
 namespace osteon::app {

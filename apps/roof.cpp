@@ -8,7 +8,7 @@
 #include "certify.hpp"
 #include "commands.hpp"
 #include "json_reader.hpp"
-#include "osteon/kernel/roof.hpp"
+#include "osteon/evaluate/roof.hpp"
 #include "planar.hpp"
 
 namespace osteon::app {

@@ -19,10 +19,10 @@
 #include "commands.hpp"
 #include "common.hpp"
 #include "documents.hpp"
-#include "osteon/ambiguity.hpp"
-#include "osteon/kernel/spherical.hpp"
-#include "osteon/split.hpp"
-#include "osteon/split_search.hpp"
+#include "osteon/evaluate/spherical.hpp"
+#include "osteon/space/ambiguity.hpp"
+#include "osteon/space/split.hpp"
+#include "osteon/space/split_search.hpp"
 
 namespace osteon::app {
 namespace {

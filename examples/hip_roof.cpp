@@ -16,16 +16,16 @@
 #include <span>
 #include <string>
 
-#include "osteon/kernel/anchors.hpp"
+#include "osteon/evaluate/anchors.hpp"
+#include "osteon/evaluate/roof.hpp"
+#include "osteon/evaluate/vertex_enclosures.hpp"
+#include "osteon/input/make_polygon.hpp"
+#include "osteon/input/read_polygon.hpp"
 #include "osteon/kernel/filtered.hpp"
-#include "osteon/kernel/motion.hpp"
 #include "osteon/kernel/perturbed.hpp"
-#include "osteon/kernel/roof.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/planar/check.hpp"
-#include "osteon/planar/contract.hpp"
-#include "osteon/planar/propagate.hpp"
-#include "osteon/planar/read.hpp"
+#include "osteon/plane/contract.hpp"
+#include "osteon/plane/propagate.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-#include "osteon/sign.hpp"
+#include "osteon/core/sign.hpp"
 
 namespace osteon::fuzz {
 

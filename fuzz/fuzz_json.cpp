@@ -18,15 +18,15 @@
 #include "check.hpp"
 #include "decode.hpp"
 #include "documents.hpp"
-#include "osteon/contract.hpp"
-#include "osteon/error.hpp"
+#include "osteon/core/error.hpp"
+#include "osteon/input/solid.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/models.hpp"
-#include "osteon/propagate.hpp"
-#include "osteon/solid.hpp"
-#include "osteon/verify.hpp"
+#include "osteon/models/polyhedra.hpp"
+#include "osteon/space/contract.hpp"
+#include "osteon/space/propagate.hpp"
+#include "osteon/space/verify.hpp"
 
 namespace osteon::fuzz {
 namespace {

@@ -14,11 +14,11 @@
 
 #include "check.hpp"
 #include "decode.hpp"
-#include "osteon/error.hpp"
+#include "osteon/core/error.hpp"
+#include "osteon/evaluate/offset.hpp"
+#include "osteon/input/make_polygon.hpp"
 #include "osteon/kernel/double.hpp"
-#include "osteon/kernel/planar_offset.hpp"
-#include "osteon/planar/check.hpp"
-#include "osteon/planar/models.hpp"
+#include "osteon/models/polygons.hpp"
 #include "planar_ours.hpp"
 #include "planar_skeletons.hpp"
 

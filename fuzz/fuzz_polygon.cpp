@@ -12,10 +12,10 @@
 
 #include "check.hpp"
 #include "input_error.hpp"
-#include "osteon/error.hpp"
+#include "osteon/core/error.hpp"
+#include "osteon/input/make_polygon.hpp"
+#include "osteon/input/read_polygon.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/planar/check.hpp"
-#include "osteon/planar/read.hpp"
 #include "planar_skeletons.hpp"
 
 namespace osteon::fuzz {

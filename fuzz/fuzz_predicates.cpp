@@ -16,7 +16,7 @@
 
 #include "check.hpp"
 #include "decode.hpp"
-#include "osteon/error.hpp"
+#include "osteon/core/error.hpp"
 #include "osteon/kernel/double.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/perturbed.hpp"

@@ -16,16 +16,16 @@
 
 #include "check.hpp"
 #include "decode.hpp"
-#include "osteon/boundary.hpp"
-#include "osteon/error.hpp"
-#include "osteon/geometry.hpp"
+#include "osteon/core/error.hpp"
+#include "osteon/input/geometry.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/rational.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/preferred_split.hpp"
-#include "osteon/split.hpp"
-#include "osteon/split_search.hpp"
+#include "osteon/space/boundary.hpp"
+#include "osteon/space/preferred_split.hpp"
+#include "osteon/space/split.hpp"
+#include "osteon/space/split_search.hpp"
 #include "split_oracle.hpp"
 
 namespace osteon::fuzz {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "check.hpp"
-#include "osteon/error.hpp"
+#include "osteon/core/error.hpp"
 
 namespace osteon::fuzz {
 

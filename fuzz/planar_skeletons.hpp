@@ -9,15 +9,15 @@
 #include <string>
 
 #include "check.hpp"
-#include "osteon/kernel/anchors.hpp"
+#include "osteon/evaluate/anchors.hpp"
+#include "osteon/evaluate/vertex_enclosures.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/kernel/motion.hpp"
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/planar/contract.hpp"
-#include "osteon/planar/propagate.hpp"
-#include "osteon/planar/verify.hpp"
+#include "osteon/plane/contract.hpp"
+#include "osteon/plane/propagate.hpp"
+#include "osteon/plane/verify.hpp"
 
 namespace osteon::fuzz {
 

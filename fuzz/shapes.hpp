@@ -16,11 +16,11 @@
 #include <vector>
 
 #include "decode.hpp"
-#include "osteon/geometry.hpp"
+#include "osteon/input/geometry.hpp"
+#include "osteon/input/mesh.hpp"
+#include "osteon/input/solid.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/mesh.hpp"
-#include "osteon/models.hpp"
-#include "osteon/solid.hpp"
+#include "osteon/models/polyhedra.hpp"
 
 namespace osteon::fuzz {
 

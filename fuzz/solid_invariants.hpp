@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "check.hpp"
-#include "osteon/geometry.hpp"
+#include "osteon/input/geometry.hpp"
+#include "osteon/input/solid.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/solid.hpp"
 
 namespace osteon::fuzz {
 

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/geometry.hpp"
+#include "osteon/core/sign.hpp"
+#include "osteon/input/geometry.hpp"
+#include "osteon/input/moving_plane.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/plane.hpp"
-#include "osteon/sign.hpp"
 
 namespace osteon::fuzz {
 

@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "offset_mesh.hpp"
+#include "osteon/input/moving_plane.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/plane.hpp"
 
 namespace osteon::oracles {
 

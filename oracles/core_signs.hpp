@@ -16,10 +16,10 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/kernel.hpp"
-#include "osteon/kernel/forms.hpp"
+#include "osteon/core/kernel.hpp"
+#include "osteon/input/moving_plane.hpp"
+#include "osteon/kernel/formulas.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/plane.hpp"
 
 namespace osteon::oracles {
 

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/kernel.hpp"
+#include "osteon/core/kernel.hpp"
+#include "osteon/input/moving_plane.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/models.hpp"
-#include "osteon/plane.hpp"
+#include "osteon/models/polyhedra.hpp"
 
 namespace osteon::oracles {
 

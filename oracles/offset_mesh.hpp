@@ -15,10 +15,10 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/catalogue.hpp"
+#include "osteon/input/moving_plane.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/plane.hpp"
-#include "osteon/skeleton.hpp"
+#include "osteon/space/catalogue.hpp"
+#include "osteon/space/skeleton.hpp"
 
 namespace osteon::oracles {
 

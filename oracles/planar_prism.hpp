@@ -15,10 +15,10 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/contract.hpp"
-#include "osteon/mesh.hpp"
-#include "osteon/propagate.hpp"
-#include "osteon/solid.hpp"
+#include "osteon/input/mesh.hpp"
+#include "osteon/input/solid.hpp"
+#include "osteon/space/contract.hpp"
+#include "osteon/space/propagate.hpp"
 #include "planar_ours.hpp"
 
 namespace osteon::oracles {

@@ -18,12 +18,12 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/kernel/direct.hpp"
+#include "osteon/evaluate/vertex_enclosures.hpp"
+#include "osteon/input/polygon.hpp"
+#include "osteon/kernel/arithmetic_kernel.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/kernel/motion.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/planar/polygon.hpp"
-#include "osteon/planar/propagate.hpp"
+#include "osteon/plane/propagate.hpp"
 
 namespace osteon::oracles {
 

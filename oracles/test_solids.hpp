@@ -19,13 +19,13 @@
 #include <vector>
 
 #include "offset_mesh.hpp"
-#include "osteon/error.hpp"
+#include "osteon/core/error.hpp"
+#include "osteon/input/solid.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/rational.hpp"
-#include "osteon/models.hpp"
-#include "osteon/propagate.hpp"
-#include "osteon/solid.hpp"
+#include "osteon/models/polyhedra.hpp"
+#include "osteon/space/propagate.hpp"
 
 namespace osteon::oracles {
 

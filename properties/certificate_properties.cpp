@@ -12,7 +12,7 @@
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/rational.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/verify.hpp"
+#include "osteon/space/verify.hpp"
 
 namespace osteon::properties {
 namespace {

@@ -12,8 +12,8 @@
 #include <tuple>
 #include <utility>
 
-#include "osteon/catalogue.hpp"
-#include "osteon/skeleton.hpp"
+#include "osteon/space/catalogue.hpp"
+#include "osteon/space/skeleton.hpp"
 
 namespace osteon::properties {
 

@@ -18,11 +18,11 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/error.hpp"
+#include "osteon/core/error.hpp"
+#include "osteon/input/mesh.hpp"
+#include "osteon/input/solid.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/mesh.hpp"
-#include "osteon/models.hpp"
-#include "osteon/solid.hpp"
+#include "osteon/models/polyhedra.hpp"
 #include "polytope.hpp"
 #include "run.hpp"
 

@@ -16,13 +16,13 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/boundary.hpp"
-#include "osteon/catalogue.hpp"
+#include "osteon/input/moving_plane.hpp"
+#include "osteon/input/solid.hpp"
 #include "osteon/kernel/integer.hpp"
 #include "osteon/kernel/rational.hpp"
-#include "osteon/plane.hpp"
-#include "osteon/skeleton.hpp"
-#include "osteon/solid.hpp"
+#include "osteon/space/boundary.hpp"
+#include "osteon/space/catalogue.hpp"
+#include "osteon/space/skeleton.hpp"
 #include "polytope.hpp"
 #include "run.hpp"
 

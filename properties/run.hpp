@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "osteon/core/sign.hpp"
+#include "osteon/input/solid.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/propagate.hpp"
-#include "osteon/sign.hpp"
-#include "osteon/skeleton.hpp"
-#include "osteon/solid.hpp"
+#include "osteon/space/propagate.hpp"
+#include "osteon/space/skeleton.hpp"
 
 namespace osteon::properties {
 

@@ -19,9 +19,9 @@
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/preferred_split.hpp"
-#include "osteon/split.hpp"
-#include "osteon/split_search.hpp"
+#include "osteon/space/preferred_split.hpp"
+#include "osteon/space/split.hpp"
+#include "osteon/space/split_search.hpp"
 
 namespace osteon::properties {
 namespace {

@@ -10,8 +10,8 @@
 #include <ctime>
 #include <iostream>
 
-#include "osteon/contract.hpp"
-#include "osteon/models.hpp"
+#include "osteon/models/polyhedra.hpp"
+#include "osteon/space/contract.hpp"
 #include "support.hpp"
 
 namespace osteon::test {

@@ -2,7 +2,7 @@
 
 // How many splits and skeletons there are, and walks through them.
 
-#include "osteon/ambiguity.hpp"
+#include "osteon/space/ambiguity.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "osteon/models.hpp"
-#include "osteon/verify.hpp"
+#include "osteon/models/polyhedra.hpp"
+#include "osteon/space/verify.hpp"
 #include "support.hpp"
 
 namespace osteon::test {

@@ -14,7 +14,7 @@
 
 #include "corners.hpp"
 #include "osteon/kernel/rational.hpp"
-#include "osteon/split.hpp"
+#include "osteon/space/split.hpp"
 
 namespace osteon::test {
 namespace {

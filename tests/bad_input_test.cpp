@@ -11,9 +11,9 @@
 #include <sstream>
 #include <string>
 
+#include "osteon/input/read_obj.hpp"
+#include "osteon/input/solid.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/obj.hpp"
-#include "osteon/solid.hpp"
 
 namespace osteon {
 namespace {

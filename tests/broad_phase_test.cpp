@@ -2,7 +2,7 @@
 
 // The broad phase finds what comparing all pairs finds.
 
-#include "osteon/planar/broad_phase.hpp"
+#include "osteon/core/box_tree.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "osteon/catalogue.hpp"
+#include "osteon/space/catalogue.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,14 +7,14 @@
 #include <span>
 #include <vector>
 
-#include "osteon/boundary.hpp"
-#include "osteon/error.hpp"
-#include "osteon/kernel.hpp"
+#include "osteon/core/error.hpp"
+#include "osteon/core/kernel.hpp"
+#include "osteon/core/sign.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/perturbed.hpp"
-#include "osteon/propagate.hpp"
-#include "osteon/sign.hpp"
-#include "osteon/split.hpp"
+#include "osteon/space/boundary.hpp"
+#include "osteon/space/propagate.hpp"
+#include "osteon/space/split.hpp"
 
 namespace osteon {
 namespace {

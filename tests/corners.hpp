@@ -13,10 +13,10 @@
 #include <optional>
 #include <vector>
 
-#include "osteon/corner.hpp"
+#include "osteon/input/moving_plane.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/models.hpp"
-#include "osteon/plane.hpp"
+#include "osteon/models/polyhedra.hpp"
+#include "osteon/space/corner.hpp"
 
 namespace osteon::test {
 

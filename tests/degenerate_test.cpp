@@ -11,8 +11,8 @@
 #include <tuple>
 
 #include "isomorphism.hpp"
-#include "osteon/contract.hpp"
-#include "osteon/models.hpp"
+#include "osteon/models/polyhedra.hpp"
+#include "osteon/space/contract.hpp"
 #include "support.hpp"
 
 namespace osteon::test {

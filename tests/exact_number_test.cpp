@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "osteon/exact_number.hpp"
+#include "osteon/input/exact_number.hpp"
 
 #include <gtest/gtest.h>
 

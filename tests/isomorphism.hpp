@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/contract.hpp"
-#include "osteon/kernel/locate.hpp"
+#include "osteon/evaluate/locate.hpp"
+#include "osteon/space/contract.hpp"
 #include "support.hpp"
 
 namespace osteon::test {

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/kernel.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/kernel/double.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/integer.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "osteon/kernel/estimate.hpp"
-#include "osteon/kernel/forms.hpp"
-#include "osteon/split.hpp"
+#include "osteon/kernel/formulas.hpp"
+#include "osteon/space/split.hpp"
 
 namespace osteon::laws {
 namespace {

@@ -12,10 +12,10 @@
 #include <sstream>
 #include <string>
 
+#include "osteon/input/make_polygon.hpp"
+#include "osteon/input/read_polygon.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/models.hpp"
-#include "osteon/planar/check.hpp"
-#include "osteon/planar/read.hpp"
+#include "osteon/models/polyhedra.hpp"
 
 namespace osteon::planar {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "osteon/planar/catalogue.hpp"
+#include "osteon/plane/catalogue.hpp"
 
 #include <gtest/gtest.h>
 

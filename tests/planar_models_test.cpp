@@ -2,7 +2,7 @@
 
 // The generated polygons are what they promise, and so is the supply of samples for other tests.
 
-#include "osteon/planar/models.hpp"
+#include "osteon/models/polygons.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
+#include "osteon/evaluate/offset.hpp"
+#include "osteon/evaluate/vertex_enclosures.hpp"
+#include "osteon/input/make_polygon.hpp"
 #include "osteon/kernel/filtered.hpp"
-#include "osteon/kernel/motion.hpp"
 #include "osteon/kernel/perturbed.hpp"
-#include "osteon/kernel/planar_offset.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/planar/check.hpp"
-#include "osteon/planar/propagate.hpp"
+#include "osteon/plane/propagate.hpp"
 #include "planar_polygons.hpp"
 
 namespace osteon::planar {

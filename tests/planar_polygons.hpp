@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "osteon/kernel/integer.hpp"
-#include "osteon/planar/models.hpp"
+#include "osteon/models/polygons.hpp"
 
 namespace osteon::test {
 

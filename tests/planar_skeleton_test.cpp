@@ -16,9 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/contract.hpp"
 #include "osteon/kernel/double.hpp"
 #include "osteon/kernel/rational.hpp"
+#include "osteon/space/contract.hpp"
 #include "planar_ours.hpp"
 #include "planar_polygons.hpp"
 #include "planar_prism.hpp"

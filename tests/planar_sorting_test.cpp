@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
+#include "osteon/evaluate/vertex_enclosures.hpp"
+#include "osteon/input/make_polygon.hpp"
 #include "osteon/kernel/filtered.hpp"
-#include "osteon/kernel/motion.hpp"
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/planar/check.hpp"
-#include "osteon/planar/models.hpp"
-#include "osteon/planar/propagate.hpp"
+#include "osteon/models/polygons.hpp"
+#include "osteon/plane/propagate.hpp"
 
 namespace osteon {
 namespace {

@@ -2,7 +2,7 @@
 
 // The certificate in the plane: it holds for what the event loop makes, and refutes what has been tampered with.
 
-#include "osteon/planar/verify.hpp"
+#include "osteon/plane/verify.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,13 +21,13 @@
 #include <utility>
 #include <vector>
 
+#include "osteon/evaluate/vertex_enclosures.hpp"
+#include "osteon/input/make_polygon.hpp"
+#include "osteon/input/read_polygon.hpp"
 #include "osteon/kernel/filtered.hpp"
-#include "osteon/kernel/motion.hpp"
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/planar/check.hpp"
-#include "osteon/planar/propagate.hpp"
-#include "osteon/planar/read.hpp"
+#include "osteon/plane/propagate.hpp"
 #include "planar_polygons.hpp"
 
 namespace osteon::test {

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "osteon/contract.hpp"
+#include "osteon/space/contract.hpp"
 #include "support.hpp"
 
 namespace osteon::test {

@@ -19,8 +19,8 @@
 #include "arrangement.hpp"
 #include "corners.hpp"
 #include "osteon/kernel/rational.hpp"
-#include "osteon/preferred_split.hpp"
-#include "osteon/split.hpp"
+#include "osteon/space/preferred_split.hpp"
+#include "osteon/space/split.hpp"
 
 namespace osteon::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "osteon/solid.hpp"
+#include "osteon/input/solid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <sstream>
 #include <string>
 
+#include "osteon/input/read_obj.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/obj.hpp"
 
 namespace osteon {
 namespace {

@@ -2,7 +2,7 @@
 
 // Thesis 3.4: a split is valid iff its spherical skeleton does not cross itself or the spherical polygon.
 
-#include "osteon/kernel/spherical.hpp"
+#include "osteon/evaluate/spherical.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 // Dynamic programming over intervals, and the search among its candidates, against the list of all trees.
 
-#include "osteon/split_search.hpp"
+#include "osteon/space/split_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,9 @@
 #include <vector>
 
 #include "corners.hpp"
-#include "osteon/models.hpp"
-#include "osteon/preferred_split.hpp"
-#include "osteon/verify.hpp"
+#include "osteon/models/polyhedra.hpp"
+#include "osteon/space/preferred_split.hpp"
+#include "osteon/space/verify.hpp"
 #include "support.hpp"
 
 namespace osteon::test {

@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "osteon/core/sign.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/sign.hpp"
 
 namespace osteon {
 namespace {

@@ -11,14 +11,14 @@
 #include <sstream>
 #include <string>
 
+#include "osteon/input/read_obj.hpp"
+#include "osteon/input/solid.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/integer.hpp"
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/rational.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/obj.hpp"
-#include "osteon/propagate.hpp"
-#include "osteon/solid.hpp"
+#include "osteon/space/propagate.hpp"
 
 namespace osteon::test {
 

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/contract.hpp"
-#include "osteon/kernel/offset_volume.hpp"
-#include "osteon/models.hpp"
-#include "osteon/verify.hpp"
+#include "osteon/evaluate/volume.hpp"
+#include "osteon/models/polyhedra.hpp"
+#include "osteon/space/contract.hpp"
+#include "osteon/space/verify.hpp"
 #include "support.hpp"
 #include "voxel_erosion.hpp"
 

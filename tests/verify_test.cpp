@@ -2,7 +2,7 @@
 
 // The certificate: it holds for what the event loop makes, and refutes what has been tampered with.
 
-#include "osteon/verify.hpp"
+#include "osteon/space/verify.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "osteon/models.hpp"
+#include "osteon/models/polyhedra.hpp"
 #include "support.hpp"
 
 namespace osteon::test {

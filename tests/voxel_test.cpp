@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include "osteon/contract.hpp"
-#include "osteon/kernel/offset_volume.hpp"
-#include "osteon/models.hpp"
+#include "osteon/evaluate/volume.hpp"
+#include "osteon/models/polyhedra.hpp"
+#include "osteon/space/contract.hpp"
 #include "support.hpp"
 #include "voxel_erosion.hpp"
 

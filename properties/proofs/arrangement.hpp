@@ -11,7 +11,7 @@
 #include <string>
 
 #include "local_picture.hpp"
-#include "osteon/models.hpp"
+#include "osteon/models/polyhedra.hpp"
 #include "report.hpp"
 
 namespace osteon::proofs {

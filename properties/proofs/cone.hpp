@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "osteon/kernel.hpp"
-#include "osteon/sign.hpp"
-#include "osteon/split.hpp"
+#include "osteon/core/kernel.hpp"
+#include "osteon/core/sign.hpp"
+#include "osteon/space/split.hpp"
 
 namespace osteon::proofs {
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/catalogue.hpp"
+#include "osteon/space/catalogue.hpp"
 
 namespace osteon::proofs {
 

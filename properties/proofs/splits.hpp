@@ -17,8 +17,8 @@
 #include "cone.hpp"
 #include "offset_surface.hpp"
 #include "osteon/kernel/rational.hpp"
-#include "osteon/models.hpp"
-#include "osteon/split.hpp"
+#include "osteon/models/polyhedra.hpp"
+#include "osteon/space/split.hpp"
 #include "report.hpp"
 #include "triangulations.hpp"
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/split.hpp"
+#include "osteon/space/split.hpp"
 #include "report.hpp"
 
 namespace osteon::proofs {

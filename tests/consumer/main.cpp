@@ -4,12 +4,12 @@
 
 #include <cstdio>
 
-#include "osteon/contract.hpp"
+#include "osteon/input/solid.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/sqrt.hpp"
-#include "osteon/propagate.hpp"
-#include "osteon/solid.hpp"
+#include "osteon/space/contract.hpp"
+#include "osteon/space/propagate.hpp"
 
 int main() {
   using namespace osteon;

@@ -5,7 +5,7 @@
 /// The double kernel: everything in machine numbers. Fast, and may be wrong; algorithms end with undecided_error when
 /// its answers contradict each other.
 
-#include "osteon/kernel/direct.hpp"
+#include "osteon/kernel/arithmetic_kernel.hpp"
 #include "osteon/kernel/estimate.hpp"
 #include "osteon/kernel/volume.hpp"
 

@@ -12,9 +12,9 @@
 #include <span>
 #include <vector>
 
-#include "osteon/kernel/forms.hpp"
+#include "osteon/core/sign.hpp"
+#include "osteon/kernel/formulas.hpp"
 #include "osteon/kernel/to_double.hpp"
-#include "osteon/sign.hpp"
 
 namespace osteon {
 

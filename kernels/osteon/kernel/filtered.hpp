@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/kernel/direct.hpp"
+#include "osteon/core/prefetch.hpp"
+#include "osteon/kernel/arithmetic_kernel.hpp"
 #include "osteon/kernel/estimate.hpp"
-#include "osteon/prefetch.hpp"
 
 namespace osteon {
 

@@ -8,7 +8,7 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <cstddef>
 
-#include "osteon/sign.hpp"
+#include "osteon/core/sign.hpp"
 
 namespace osteon {
 

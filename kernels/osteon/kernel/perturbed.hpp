@@ -14,9 +14,9 @@
 #include <string>
 #include <utility>
 
-#include "osteon/error.hpp"
-#include "osteon/kernel.hpp"
-#include "osteon/kernel/direct.hpp"
+#include "osteon/core/error.hpp"
+#include "osteon/core/kernel.hpp"
+#include "osteon/kernel/arithmetic_kernel.hpp"
 
 namespace osteon {
 

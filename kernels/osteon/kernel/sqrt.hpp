@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "osteon/kernel/direct.hpp"
+#include "osteon/input/moving_plane.hpp"
+#include "osteon/kernel/arithmetic_kernel.hpp"
 #include "osteon/kernel/square_classes.hpp"
 #include "osteon/kernel/volume.hpp"
-#include "osteon/plane.hpp"
 
 namespace osteon {
 

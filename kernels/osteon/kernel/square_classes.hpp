@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "osteon/core/sign.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/sign.hpp"
 
 namespace osteon {
 

@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "osteon/kernel/forms.hpp"
+#include "osteon/input/moving_plane.hpp"
+#include "osteon/kernel/formulas.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/plane.hpp"
 
 namespace osteon {
 

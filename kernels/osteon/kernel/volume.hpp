@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/error.hpp"
-#include "osteon/kernel.hpp"
-#include "osteon/kernel/forms.hpp"
+#include "osteon/core/error.hpp"
+#include "osteon/core/kernel.hpp"
+#include "osteon/kernel/formulas.hpp"
 
 namespace osteon {
 

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// The concept that separates the algorithms from numbers. Everything the library computes about space is said with
+/// the operations below; no algorithm sees a coordinate or a number type (design 01).
+///
+/// Plane i has the equation  n_i . x = d_i - t * sigma_i  at time t (outward normal n_i, speed sigma_i = w_i |n_i|);
+/// its inner side is  h_i(x,t) = d_i - t * sigma_i - n_i . x >= 0. For a quadruple q of planes, with lambda_r the
+/// signed 3x3 minors of the normals,
+///
+///     D = sum lambda_r d_r,   S = sum lambda_r sigma_r,   L(t) = sum lambda_r h_r(x,t) = D - t S  for every x,
+///
+/// so the four planes share a point exactly at t = D / S, and vertex (i,j,k) lies inside l iff L(t) / lambda_l > 0.
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "osteon/core/sign.hpp"
+
+namespace osteon {
+
+/// A plane's number in the kernel: 0 .. size() - 1. Negative numbers mean "none".
+using plane_id = std::int32_t;
+/// Three planes: a vertex. Four planes: an event.
+using triple = std::array<plane_id, 3>;
+using quadruple = std::array<plane_id, 4>;
+/// As many planes as meet in a vertex and in an event, in space of this dimension.
+template <int Dimension>
+using corner_planes = std::array<plane_id, Dimension>;
+template <int Dimension>
+using meeting_planes = std::array<plane_id, Dimension + 1>;
+
+/// Hash of a list of planes (multiplicative, after Knuth, TAOCP 6.4).
+struct plane_hash {
+  template <std::size_t N>
+  std::size_t operator()(const std::array<plane_id, N>& planes) const noexcept {
+    std::uint64_t h = 0;
+    for (const plane_id p : planes) h = (h ^ static_cast<std::uint32_t>(p)) * 0x9E3779B97F4A7C15U ^ h >> 29U;
+    return static_cast<std::size_t>(h);
+  }
+};
+
+/// What the skeleton algorithm asks of space.
+///
+/// Laws (tests/kernel_laws.hpp runs them on every kernel that calls itself exact):
+///  K1 orientation changes its sign with every transposition; it is zero iff the normals are linearly dependent.
+///  K2 closing, meet and side do not depend on the order of their planes beyond what is stated.
+///  K3 compare is a total preorder: antisymmetric, transitive.
+///  K4 nothing changes when a plane's equation is multiplied by a positive number (adaptors that perturb: where the
+///     unperturbed answer is not zero).
+template <class K>
+concept kernel = std::copyable<typename K::meeting> &&
+    requires(const K& k, plane_id a, plane_id b, plane_id c, plane_id d, const quadruple& q, const typename K::meeting& m,
+             const typename K::bisector_type& e, std::span<const triple> tree) {
+  // Whether every answer is the true one for the planes as given (for a rational kernel: for its rational speeds). An
+  // inexact kernel may contradict itself; algorithms then end with undecided_error instead of an assertion.
+  { K::exact } -> std::convertible_to<bool>;
+
+  // The number of planes. `same_as` and not `convertible_to`: ids are compared with it.
+  { k.size() } -> std::same_as<plane_id>;
+
+  // Sign of det(n_a, n_b, n_c): how three planes meet. Zero: they have no common point, or a common line.
+  { k.orientation(a, b, c) } -> std::same_as<sign>;
+
+  // Whether the three *unperturbed* planes meet in one point. The same as orientation != zero but for adaptors that
+  // perturb: a corner made by a perturbation alone is infinitely far away and cannot be part of a vertex.
+  { k.transversal(a, b, c) } -> std::same_as<bool>;
+
+  // Plane intersection: the moment at which four planes meet, planes in any order; empty where S = 0 (they meet
+  // always or never). Not a number: the algorithm can only hand it back.
+  { k.meet(q) } -> std::same_as<std::optional<typename K::meeting>>;
+
+  // The four planes of a meeting, ascending.
+  { k.planes(m) } -> std::convertible_to<quadruple>;
+
+  // Sign of S for the four planes of a meeting in ascending order; never zero, since the meeting exists.
+  { k.closing(m) } -> std::same_as<sign>;
+
+  // The moment just after the beginning: later than every meeting at time zero, earlier than all other later ones.
+  { k.start() } -> std::same_as<typename K::meeting>;
+
+  // Order in time: negative when the first meeting is the earlier one, zero when they are simultaneous.
+  { k.compare(m, m) } -> std::same_as<sign>;
+
+  // The moving vertex (a,b,c) at the moment of m against plane d: positive inside. Zero: on the plane. Requires
+  // orientation(a,b,c) != zero, and for the start that the four planes meet in one point at time zero.
+  { k.side(d, a, b, c, m) } -> std::same_as<sign>;
+
+  // The plane swept by the edge between facets a and b, and the order of two such by the angle between the outward
+  // normals of their facets: negative when the first angle is the smaller one, that is, when the first edge is the
+  // slower one (for unit weights). Rational, so exact without roots.
+  { k.bisector(a, b) } -> std::same_as<typename K::bisector_type>;
+  { k.compare(e, e) } -> std::same_as<sign>;
+
+  // Two ways to split one vertex, each a list of its triangles (counter-clockwise seen from outside): the sign of
+  // the difference of the offset solids' volumes. Requires that all planes pass through one point at time zero.
+  { k.compare_volume(tree, tree) } -> std::same_as<sign>;
+};
+
+/// A kernel, of space or of the plane, whose predicates can be asked for the coefficient of any power of an infinitesimal, which is what the
+/// adaptor `perturbed` needs (design 04). Grade 0 is the unperturbed predicate; plane i is taken as
+/// n_i + e^2 u_i, d_i + e delta_i with fixed integers u_i, delta_i; the answer is the coefficient of e^grade. Where the orientation of a
+/// corner is zero, side answers zero.
+template <class K>
+concept graded_kernel = requires(const K& k, int grade, const corner_planes<K::dimension>& t, const meeting_planes<K::dimension>& q) {
+  { k.orientation_at(grade, t) } -> std::same_as<sign>;
+  { k.offset_at(grade, q) } -> std::same_as<sign>;    // of D
+  { k.closing_at(grade, q) } -> std::same_as<sign>;   // of S
+  { k.cross_at(grade, q, q) } -> std::same_as<sign>;  // of D(q1) S(q2) - D(q2) S(q1)
+  // A meeting without the promise that S is not zero at grade 0.
+  { k.meeting_of(q) } -> std::same_as<typename K::meeting>;
+};
+
+/// The highest power of the infinitesimal in which D, S and their products have coefficients: lambda has degree 3 (the dimension) in
+/// e^2, D one more in e, so D has degree 7, S 6 and D S 13.
+template <int Dimension>
+inline constexpr int highest_grade_in = 4 * Dimension + 1;
+inline constexpr int highest_grade = highest_grade_in<3>;
+
+}  // namespace osteon

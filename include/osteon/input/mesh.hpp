@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// Points and facets as they come in, from memory or a file, exact and unchecked.
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "osteon/core/error.hpp"
+#include "osteon/input/exact_number.hpp"
+
+namespace osteon {
+
+/// A soup of polygons: corners counter-clockwise seen from outside, numbered from 0.
+template <class Int>
+struct mesh {
+  std::vector<std::array<exact_number<Int>, 3>> points;
+  std::vector<std::vector<int>> facets;
+  std::vector<Int> weights;              ///< speed of each facet, empty for all 1
+  std::vector<std::size_t> point_lines;  ///< lines of the file, or empty
+  std::vector<std::size_t> facet_lines;
+  std::string file;  ///< for messages; empty for memory
+
+  /// "FILE:12: facet 3" or "facet 3", counted from one.
+  std::string name_facet(std::size_t f) const { return name("facet", f, facet_lines); }
+  std::string name_point(std::size_t p) const { return name("point", p, point_lines); }
+
+ private:
+  std::string name(const char* kind, std::size_t i, const std::vector<std::size_t>& lines) const {
+    std::string text = file;
+    if (!text.empty() && i < lines.size()) text += ":" + std::to_string(lines[i]);
+    if (!text.empty()) text += ": ";
+    return text + kind + " " + std::to_string(i + 1);
+  }
+};
+
+/// A mesh from doubles, taken exactly. Throws input_error(bad_number) for NaN and infinities.
+template <class Int>
+mesh<Int> make_mesh(const std::vector<std::array<double, 3>>& points, std::vector<std::vector<int>> facets) {
+  mesh<Int> m;
+  for (const auto& p : points) {
+    auto& exact = m.points.emplace_back();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto x = from_double<Int>(p[axis]);
+      if (!x)
+        throw input_error(input_fault::bad_number, m.points.size(), m.name_point(m.points.size() - 1) + " has a coordinate that is not finite",
+                          "give finite coordinates");
+      exact[axis] = *x;
+    }
+  }
+  m.facets = std::move(facets);
+  return m;
+}
+
+}  // namespace osteon

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// The straight skeleton of a polygon: flat arrays, integer ids, no coordinates (design 05, 06).
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "osteon/core/kernel.hpp"
+
+namespace osteon::planar {
+
+/// What an event does to the wavefront: an edge vanishes, or a vertex cuts an edge in two.
+enum class event_class : std::uint8_t { edge, split };
+
+/// The raw skeleton of a perturbed polygon: one node for each vertex and each event, in order of time; one arc for each moving vertex.
+struct skeleton {
+  struct node {
+    int vertex;         ///< of the polygon, or -1
+    triple lines;       ///< that meet, ascending; of a vertex its two lines and -1
+    event_class event;  ///< meaningless for a vertex
+    bool late = false;  ///< the edge that vanishes has length zero in the limit only (see propagation::settle)
+  };
+  struct arc {
+    int source;
+    int target;                ///< -1: the vertex moves for ever (outside of the polygon)
+    std::array<int, 2> faces;  ///< the edge of the wavefront that ends at the moving vertex, and the one that starts there
+  };
+  std::vector<node> nodes;  ///< those of the vertices come first
+  std::vector<arc> arcs;
+  /// Each edge of the polygon sweeps a face; face i begins with edge i. Edges on one line that merge on their way share a face: all name the
+  /// same representative, itself one of them. The faces of arcs are representatives.
+  std::vector<int> faces;
+  /// An arc and a node through whose place it passes in the limit: an edge of length zero there has become part of another one on its line.
+  struct pass {
+    int arc;
+    int node;
+  };
+  std::vector<pass> passes;
+  std::array<int, 2> events{};  ///< by class
+};
+
+}  // namespace osteon::planar

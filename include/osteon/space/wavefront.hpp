@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// The moving boundary: vertices of three planes, edges of two, and the tables to find them by their planes. There
+/// are no rings and no half-edges: corners, pieces of lines and signs say everything (design 02).
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "osteon/core/kernel.hpp"
+#include "osteon/space/catalogue.hpp"
+#include "osteon/space/segment.hpp"
+
+namespace osteon {
+
+/// Flat arrays with ids that are never used again; removed elements stay as tombstones.
+class wavefront {
+ public:
+  struct vertex {
+    triple planes;             ///< ascending
+    std::array<int, 6> edges;  ///< by slot, -1 for none
+    int arc;
+    bool alive;
+  };
+  struct edge : segment {
+    std::array<int, 2> ends;
+    int sheet;
+    bool alive;
+    std::array<int, 2> place;  ///< in the lists of its two facets
+  };
+
+  explicit wavefront(plane_id planes) : by_plane_(planes) {}
+
+  /// The slot of a vertex for the edge opposite its plane number t (0..2), inside or outside that plane.
+  static int slot(int t, bool inside) { return 2 * t + (inside ? 1 : 0); }
+
+  int add_vertex(const triple& planes, int arc) {
+    const int id = static_cast<int>(vertices_.size());
+    vertices_.push_back({planes, {-1, -1, -1, -1, -1, -1}, arc, true});
+    by_corner_[planes] = id;
+    return id;
+  }
+
+  void remove_vertex(int v) {
+    vertices_[v].alive = false;
+    by_corner_.erase(vertices_[v].planes);
+  }
+
+  int add_edge(const segment& s, int sheet) {
+    const int id = static_cast<int>(edges_.size());
+    edges_.push_back({s, {-1, -1}, sheet, true, {0, 0}});
+    by_line_[line(s.planes[0], s.planes[1])].push_back(id);
+    for (int side = 0; side < 2; ++side) {
+      auto& list = by_plane_[s.planes[side]];
+      edges_[id].place[side] = static_cast<int>(list.size());
+      list.push_back(id);
+    }
+    return id;
+  }
+
+  void remove_edge(int e) {
+    edge& gone = edges_[e];
+    gone.alive = false;
+    auto& same_line = by_line_[line(gone.planes[0], gone.planes[1])];
+    same_line.erase(std::find(same_line.begin(), same_line.end(), e));
+    for (int side = 0; side < 2; ++side) {
+      auto& list = by_plane_[gone.planes[side]];
+      const int last = list.back();
+      list[gone.place[side]] = last;
+      edges_[last].place[edges_[last].planes[0] == gone.planes[side] ? 0 : 1] = gone.place[side];
+      list.pop_back();
+    }
+  }
+
+  /// Makes v the end of e that lies on the given side of the vertex's third plane.
+  void attach(int e, int end, int v, plane_id third, bool inside) {
+    edge& to = edges_[e];
+    to.ends[end] = v;
+    to.third[end] = third;
+    to.inside[end] = inside;
+    vertices_[v].edges[slot(position(vertices_[v], third), inside)] = e;
+  }
+
+  static int position(const vertex& v, plane_id p) { return static_cast<int>(std::find(v.planes.begin(), v.planes.end(), p) - v.planes.begin()); }
+
+  /// The vertex of three planes (ascending), or -1. Three planes meet once, so there is at most one.
+  int find_vertex(const triple& planes) const {
+    const auto found = by_corner_.find(planes);
+    return found == by_corner_.end() ? -1 : found->second;
+  }
+
+  /// The edges on the line of two planes (ascending).
+  std::span<const int> on_line(plane_id p, plane_id q) const {
+    const auto found = by_line_.find(line(p, q));
+    return found == by_line_.end() ? std::span<const int>() : std::span<const int>(found->second);
+  }
+
+  /// The edges of a facet.
+  std::span<const int> of_facet(plane_id p) const { return by_plane_[p]; }
+
+  const std::vector<vertex>& vertices() const { return vertices_; }
+  const std::vector<edge>& edges() const { return edges_; }
+  vertex& at_vertex(int v) { return vertices_[v]; }
+  edge& at_edge(int e) { return edges_[e]; }
+  bool empty() const { return by_corner_.empty(); }
+
+ private:
+  static std::uint64_t line(plane_id p, plane_id q) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(p)) << 32U | static_cast<std::uint32_t>(q);
+  }
+
+  std::vector<vertex> vertices_;
+  std::vector<edge> edges_;
+  std::vector<std::vector<int>> by_plane_;
+  std::unordered_map<std::uint64_t, std::vector<int>> by_line_;
+  std::unordered_map<triple, int, plane_hash> by_corner_;
+};
+
+}  // namespace osteon

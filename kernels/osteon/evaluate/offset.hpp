@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// Offset polygons in numbers: many from one skeleton.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "osteon/core/error.hpp"
+#include "osteon/evaluate/planar_locate.hpp"
+#include "osteon/evaluate/triangulate.hpp"
+#include "osteon/input/polygon.hpp"
+#include "osteon/kernel/integer.hpp"
+#include "osteon/plane/offset.hpp"
+#include "osteon/plane/skeleton.hpp"
+
+namespace osteon::planar {
+
+/// A polygon with holes, or several: in the units of the input.
+template <class Number>
+struct offset_polygon {
+  struct ring {
+    std::vector<std::array<Number, 2>> points;  ///< counter-clockwise, holes clockwise
+    std::vector<int> edges;                     ///< of the polygon: the one (the first of those merged) whose line the edge from each point is on
+    bool hole;
+    int part;  ///< connected piece of the interior
+  };
+  std::vector<ring> rings;  ///< those of a part together, its outer ring first
+  int parts = 0;
+};
+
+namespace detail {
+
+/// Holes in parts without an outer ring go to the smallest outer ring that contains them; outer rings may be nested, but do not cross.
+template <class Number>
+void place_holes(offset_polygon<Number>& p) {
+  std::vector<bool> has_outer(p.parts, false);
+  for (const auto& r : p.rings)
+    if (!r.hole) has_outer[r.part] = true;
+  if (std::find(has_outer.begin(), has_outer.end(), false) == has_outer.end()) return;
+  struct outer {
+    std::vector<flat_point> points;
+    flat_point low, high;
+    int part;
+  };
+  const auto flat = [](const std::array<Number, 2>& q) { return flat_point{static_cast<double>(q[0]), static_cast<double>(q[1])}; };
+  std::vector<outer> all;
+  for (const auto& r : p.rings) {
+    if (r.hole) continue;
+    auto& o = all.emplace_back();
+    o.part = r.part;
+    o.low = o.high = flat(r.points[0]);
+    for (const auto& q : r.points) {
+      o.points.push_back(flat(q));
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        o.low[axis] = std::min(o.low[axis], o.points.back()[axis]);
+        o.high[axis] = std::max(o.high[axis], o.points.back()[axis]);
+      }
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const outer& a, const outer& b) { return a.high[0] - a.low[0] < b.high[0] - b.low[0]; });
+  std::vector<int> into(p.parts);
+  std::iota(into.begin(), into.end(), 0);
+  for (const auto& r : p.rings) {
+    if (has_outer[r.part] || into[r.part] != r.part) continue;
+    const flat_point q = flat(r.points[0]);
+    const auto around = std::find_if(all.begin(), all.end(), [&](const outer& o) {
+      return o.low[0] <= q[0] && q[0] <= o.high[0] && o.low[1] <= q[1] && q[1] <= o.high[1] && is_inside(o.points, q);
+    });
+    if (around != all.end()) into[r.part] = around->part;
+  }
+  std::vector<int> number(p.parts, -1);
+  p.parts = 0;
+  for (auto& r : p.rings) {
+    int& n = number[into[r.part]];
+    if (n < 0) n = p.parts++;
+    r.part = n;
+  }
+  std::stable_sort(p.rings.begin(), p.rings.end(),
+                   [](const auto& r, const auto& s) { return std::pair(r.part, r.hole) < std::pair(s.part, s.hole); });
+}
+
+}  // namespace detail
+
+/// The rings turned round: what an offset outwards (of what is outside of a polygon, see make_polygon) has left out is the grown polygon. There edge
+/// i lies on the line of the edge that ends, not starts, at vertex i of the polygon.
+template <class Number>
+offset_polygon<Number> complement(offset_polygon<Number> p) {
+  p.parts = 0;
+  for (auto& r : p.rings) {
+    std::reverse(r.points.begin(), r.points.end());
+    std::reverse(r.edges.begin(), r.edges.end());
+    std::rotate(r.edges.begin(), r.edges.begin() + 1, r.edges.end());
+    r.hole = !r.hole;
+    r.part = p.parts++;
+  }
+  detail::place_holes(p);
+  return p;
+}
+
+/// Offsets of a polygon inwards; of what is outside of one, outwards. Time is the distance that an edge of weight 1 has moved, in the units of the
+/// input. Keeps references to its arguments. Setup: linear.
+class offsets {
+ public:
+  offsets(const polygon<integer>& p, const skeleton& raw) : polygon_(p), raw_(raw), lines_(p.lines, p.points), places_(p, lines_) {}
+
+  /// Rings as numbers of arcs. Throws input_error for a negative time. Cost: see wavefront_at.
+  wavefront_rings wavefront(const rational& time) const {
+    if (time < 0) throw input_error(input_fault::bad_number, 0, "an offset at a negative time", "give a time of zero or more");
+    return wavefront_at(raw_, polygon_.outline.line, instant(polygon_.lines, lines_, places_.unit().to_integers(time)));
+  }
+
+  /// With points as doubles, correct to a few units in the last place relative to the polygon's size: edges shorter than that may come to nothing.
+  offset_polygon<double> at(const rational& time) const {
+    const rational t = places_.unit().to_integers(time);
+    const double_double scaled = places_.scaled(t);
+    return fill<double>(time, [&](line_id a, line_id b) { return places_.vertex_at(a, b, t, scaled); });
+  }
+
+  /// With points as rationals, coordinates within 2^-bits of the polygon's integer unit 10^ten 2^two.
+  offset_polygon<rational> exactly_at(const rational& time, unsigned bits = 64) const {
+    const rational t = places_.unit().to_integers(time);
+    const locator exact(polygon_.lines);
+    return fill<rational>(time, [&](line_id a, line_id b) { return places_.unit().to_input(exact.vertex_at(a, b, t, bits)); });
+  }
+
+  /// The places and times of nodes.
+  const fast_locator& places() const { return places_; }
+
+ private:
+  template <class Number, class Place>
+  offset_polygon<Number> fill(const rational& time, Place place) const {
+    const wavefront_rings w = wavefront(time);
+    offset_polygon<Number> result;
+    result.parts = w.parts;
+    for (const auto& r : w.rings) {
+      auto& to = result.rings.emplace_back();
+      to.hole = r.hole;
+      to.part = r.part;
+      for (int i = r.first; i < r.first + r.size; ++i) {
+        const auto& arc = raw_.arcs[w.corners[i].arc];
+        const line_id a = polygon_.outline.line[arc.faces[0]];
+        const line_id b = polygon_.outline.line[arc.faces[1]];
+        to.points.push_back(place(a, b));
+        to.edges.push_back(w.corners[i].face);
+      }
+    }
+    detail::place_holes(result);
+    return result;
+  }
+
+  const polygon<integer>& polygon_;
+  const skeleton& raw_;
+  unit_lines lines_;
+  fast_locator places_;
+};
+
+}  // namespace osteon::planar
