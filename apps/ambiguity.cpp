@@ -64,7 +64,7 @@ struct ambiguity_command {
     }
     doc["splits"] = product.str();
     doc["exact"] = exact;
-    doc["saddles"] = straight_skeleton(k, s.boundary, options{}).ambiguous;
+    doc["saddles"] = straight_skeleton(k, s.boundary, skeleton_options{}).ambiguous;
     fmt::print("{}\n", doc.dump());
   }
 
@@ -80,7 +80,7 @@ struct ambiguity_command {
     const std::uint64_t last = seed + 20 * static_cast<std::uint64_t>(explore) + 100;
     std::uint64_t at = seed;
     for (; at < last && seen.size() < static_cast<std::size_t>(explore); ++at) {
-      options o;
+      skeleton_options o;
       o.explore = at;
       const skeleton raw = straight_skeleton(k, s.boundary, o);
       std::vector<quadruple> nodes;

@@ -31,11 +31,10 @@ inline std::optional<refutation> certify(const solid<integer>& s, const std::str
 }
 
 /// The same for a polygon.
-inline std::optional<planar::refutation> certify(const planar::polygon<integer>& p, const std::string& name, const planar_skeletons& s,
-                                                 bool outside) {
-  const auto check = [&](const auto& k) -> std::optional<planar::refutation> {
-    if (auto broken = planar::verify(k, p.outline, s.raw, outside, has_held_edge(p))) return broken;
-    return s.exact ? planar::verify_contraction(k.base(), p.outline, s.raw, *s.exact) : std::nullopt;
+inline std::optional<plane::refutation> certify(const plane::polygon<integer>& p, const std::string& name, const planar_skeletons& s, bool outside) {
+  const auto check = [&](const auto& k) -> std::optional<plane::refutation> {
+    if (auto broken = plane::verify(k, p.boundary, s.raw, outside, has_stationary_edge(p))) return broken;
+    return s.exact ? plane::verify_contraction(k.base(), p.boundary, s.raw, *s.exact) : std::nullopt;
   };
   const std::span<const moving_line<integer>> lines(p.lines);
   const std::vector<std::array<double, 2>> anchors = anchors_of(p);

@@ -94,13 +94,15 @@ struct both_skeletons {
 };
 
 template <kernel K>
-both_skeletons compute(const perturbed<K>& k, const boundary& b, const options& o) {
+both_skeletons compute(const perturbed<K>& k, const boundary& b, const skeleton_options& o) {
   both_skeletons result{straight_skeleton(k, b, o), std::nullopt};
   result.exact = contract(k.base(), b, result.raw);
   return result;
 }
 
-inline both_skeletons compute(const double_kernel& k, const boundary& b, const options& o) { return {straight_skeleton(k, b, o), std::nullopt}; }
+inline both_skeletons compute(const double_kernel& k, const boundary& b, const skeleton_options& o) {
+  return {straight_skeleton(k, b, o), std::nullopt};
+}
 
 /// Calls body with the named kernel. The exact ones are filtered and perturbed, so that no input is degenerate.
 template <class Body>

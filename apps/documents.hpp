@@ -95,7 +95,7 @@ inline json skeleton_document(const solid<integer>& of, const skeleton& s, const
     doc["arcs"].push_back({{"source", a.source}, {"target", a.target}, {"planes", a.planes}, {"corner", a.corner}, {"sheets", a.sheets}});
   doc["sheets"] = json::array();
   for (const auto& t : s.sheets) {
-    json sheet = {{"facets", t.facets}, {"polygon", t.polygon}, {"arcs", t.arcs}};
+    json sheet = {{"facets", t.facets}, {"polygon", t.representative}, {"arcs", t.arcs}};
     if (t.input_edge >= 0) {
       const auto& ends = of.boundary.edges[static_cast<std::size_t>(t.input_edge)].ends;
       sheet["edge"] = {of.input_points[static_cast<std::size_t>(ends[0])] + 1, of.input_points[static_cast<std::size_t>(ends[1])] + 1};

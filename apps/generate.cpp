@@ -27,7 +27,7 @@ struct generate_command {
     };
     for (const auto& k : models::kinds()) add(k);
     list += "Polygons:\n";
-    for (const auto& k : planar::models::kinds()) add(k);
+    for (const auto& k : plane::models::kinds()) add(k);
     c->add_option("KIND", kind, "what to make")->required()->check(CLI::IsMember(known));
     c->add_option("--size", size, "see below")->check(CLI::PositiveNumber);
     c->add_option("--seed", seed, "for the random ones")->capture_default_str();
@@ -58,9 +58,9 @@ struct generate_command {
   std::string heading(int n) const { return fmt::format("# osteon generate {} --size {} --seed {}\n", kind, n, seed); }
 
   std::optional<std::string> polygon() const {
-    const auto k = find(planar::models::kinds(), 0);
+    const auto k = find(plane::models::kinds(), 0);
     if (!k) return std::nullopt;
-    return heading(k->second) + planar::models::to_xy(k->first.make(k->second, seed));
+    return heading(k->second) + plane::models::to_xy(k->first.make(k->second, seed));
   }
 
   std::optional<std::string> polyhedron() const {

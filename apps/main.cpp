@@ -53,7 +53,7 @@ int run(int argc, char** argv) {
     fmt::print(stderr, "osteon: {}\nThis is a defect of osteon; please report it with the input.\n", e.what());
     return broken;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "osteon: the input needs more memory than there is; cure: give a smaller model\n");
+    fmt::print(stderr, "osteon: the input needs more memory than there is; hint: give a smaller model\n");
     return bad_input;
   } catch (const std::exception& e) {
     fmt::print(stderr, "osteon: {}\n", e.what());

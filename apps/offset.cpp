@@ -42,20 +42,20 @@ struct offset_command {
   }
 
   void run() const {
-    const planar::polygon<integer> p = read_polygon_file(file, outside);
+    const plane::polygon<integer> p = read_polygon_file(file, outside);
     std::vector<rational> times;
     for (const auto& d : distances) {
       exact_number<integer> x;
       if (read_decimal(d, x) != number_fault::none || x.mantissa < 0) throw CLI::ValidationError("--by", d + " is no decimal number of at least 0");
       times.push_back(rational(x.mantissa) * power_of(x.ten, x.two));
     }
-    planar::options o;
+    plane::skeleton_options o;
     o.outside = outside;
     if (outside) o.until = until(p, *std::max_element(times.begin(), times.end()));
     const planar_skeletons both = compute_planar(kernel, p, o);
-    if (certified && !outside) demand_certified(planar::rule_names, certify(p, kernel, both, outside));
-    const planar::offsets offsets(p, both.raw);
-    std::vector<planar::offset_polygon<double>> results;
+    if (certified && !outside) demand_certified(plane::rule_names, certify(p, kernel, both, outside));
+    const plane::offsets offsets(p, both.raw);
+    std::vector<plane::offset_polygon<double>> results;
     for (const auto& t : times) results.push_back(outside ? complement(offsets.at(t)) : offsets.at(t));
     if (format == "xy" && (results.size() != 1 || results[0].parts > 1))
       throw CLI::ValidationError("--format", "xy text holds one distance and one part; take wkt or geojson");
@@ -66,15 +66,15 @@ struct offset_command {
   }
 
   // The wavefront is followed a little longer than to the last offset.
-  static double until(const planar::polygon<integer>& p, const rational& last) {
-    const planar::motion motion(p.lines, p.points, true);
-    return motion.moment(planar::units(p).to_integers(last).convert_to<double>()) * (1 + 1e-9) + 1e-300;
+  static double until(const plane::polygon<integer>& p, const rational& last) {
+    const plane::vertex_enclosures motion(p.lines, p.points, true);
+    return motion.moment(plane::input_scale(p).to_integers(last).convert_to<double>()) * (1 + 1e-9) + 1e-300;
   }
 
   static std::string number(double x) { return json(x).dump(); }
 
   // The rings of each part in parentheses or brackets, closed.
-  static void write_rings(std::ostream& out, const planar::offset_polygon<double>& p, const char* open, const char* close, const char* separator,
+  static void write_rings(std::ostream& out, const plane::offset_polygon<double>& p, const char* open, const char* close, const char* separator,
                           const char* point_open, const char* point_close) {
     for (std::size_t r = 0; r < p.rings.size(); ++r) {
       const bool first = r == 0 || p.rings[r].part != p.rings[r - 1].part;
@@ -90,7 +90,7 @@ struct offset_command {
     if (!p.rings.empty()) fmt::print(out, "{}", close);
   }
 
-  static void write_wkt(std::ostream& out, const std::vector<planar::offset_polygon<double>>& results) {
+  static void write_wkt(std::ostream& out, const std::vector<plane::offset_polygon<double>>& results) {
     for (const auto& p : results) {
       if (p.rings.empty()) {
         fmt::print(out, "MULTIPOLYGON EMPTY\n");
@@ -102,7 +102,7 @@ struct offset_command {
     }
   }
 
-  void write_geojson(std::ostream& out, const std::vector<planar::offset_polygon<double>>& results) const {
+  void write_geojson(std::ostream& out, const std::vector<plane::offset_polygon<double>>& results) const {
     fmt::print(out, "{{\"type\":\"FeatureCollection\",\"features\":[");
     for (std::size_t i = 0; i < results.size(); ++i) {
       fmt::print(out, "{}\n{{\"type\":\"Feature\",\"properties\":{{\"distance\":{}}},\"geometry\":{{\"type\":\"MultiPolygon\",\"coordinates\":[",
@@ -113,7 +113,7 @@ struct offset_command {
     fmt::print(out, "\n]}}\n");
   }
 
-  static void write_xy(std::ostream& out, const planar::offset_polygon<double>& p) {
+  static void write_xy(std::ostream& out, const plane::offset_polygon<double>& p) {
     for (std::size_t r = 0; r < p.rings.size(); ++r) {
       if (r > 0) fmt::print(out, "\n");
       for (const auto& q : p.rings[r].points) fmt::print(out, "{} {}\n", number(q[0]), number(q[1]));

@@ -53,8 +53,8 @@ inline bool is_polygon_file(const std::string& file) {
     std::string head(1U << 16U, '\0');
     std::cin.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(std::cin.gcount()));
-    const bool polygon = planar::guess_format("", head) != planar::format::obj;
-    static planar::detail::rewound whole(std::move(head), std::cin.rdbuf());
+    const bool polygon = plane::guess_format("", head) != plane::format::obj;
+    static plane::detail::rewound whole(std::move(head), std::cin.rdbuf());
     std::cin.rdbuf(&whole);  // clears the end of the file, too
     return polygon;
   }
@@ -67,32 +67,32 @@ inline bool is_polygon_file(const std::string& file) {
 
 /// A checked polygon, or what is outside of it; what was repaired is said on standard error. change(rings) is called before the check.
 template <class Change>
-planar::polygon<integer> read_polygon_file(const std::string& file, bool outside, Change change) {
+plane::polygon<integer> read_polygon_file(const std::string& file, bool outside, Change change) {
   auto rings = [&] {
-    if (file == "-") return planar::read_polygon<integer>(std::cin, "standard input");
+    if (file == "-") return plane::read_polygon<integer>(std::cin, "standard input");
     std::ifstream in(file, std::ios::binary);
     if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
-    return planar::read_polygon<integer>(in, file);
+    return plane::read_polygon<integer>(in, file);
   }();
   change(rings);
-  auto polygon = planar::make_polygon(std::move(rings), outside);
+  auto polygon = plane::make_polygon(std::move(rings), outside);
   for (const auto& repair : polygon.repairs) fmt::print(stderr, "osteon: note: {}\n", repair);
   return polygon;
 }
 
-inline planar::polygon<integer> read_polygon_file(const std::string& file, bool outside) {
+inline plane::polygon<integer> read_polygon_file(const std::string& file, bool outside) {
   return read_polygon_file(file, outside, [](auto&) {});
 }
 
 /// A raw skeleton and, where the kernel is exact, the contracted one.
 struct planar_skeletons {
-  planar::skeleton raw;
-  std::optional<planar::contracted_skeleton> exact;
+  plane::skeleton raw;
+  std::optional<plane::contracted_skeleton> exact;
 };
 
 /// Calls body with the named kernel for a polygon's lines; the exact ones are filtered and perturbed.
 template <class Body>
-auto with_planar_kernel(const std::string& name, const planar::polygon<integer>& p, Body body) {
+auto with_planar_kernel(const std::string& name, const plane::polygon<integer>& p, Body body) {
   const std::span<const moving_line<integer>> lines(p.lines);
   if (name == "double") return body(make_double_kernel(lines));
   const std::vector<std::array<double, 2>> anchors = anchors_of(p);
@@ -101,11 +101,11 @@ auto with_planar_kernel(const std::string& name, const planar::polygon<integer>&
 }
 
 /// The skeleton of a polygon by the named kernel.
-inline planar_skeletons compute_planar(const std::string& kernel, const planar::polygon<integer>& p, const planar::options& o = {}) {
-  const planar::motion motion(p.lines, p.points, o.outside);
+inline planar_skeletons compute_planar(const std::string& kernel, const plane::polygon<integer>& p, const plane::skeleton_options& o = {}) {
+  const plane::vertex_enclosures motion(p.lines, p.points, o.outside);
   return with_planar_kernel(kernel, p, [&](const auto& k) {
-    planar_skeletons result{planar::propagation(k, p.outline, motion, o).run(), std::nullopt};
-    if constexpr (requires { k.base(); }) result.exact = planar::contract(k.base(), p.outline.line, result.raw);
+    planar_skeletons result{plane::propagation(k, p.boundary, motion, o).run(), std::nullopt};
+    if constexpr (requires { k.base(); }) result.exact = plane::contract(k.base(), p.boundary.line, result.raw);
     return result;
   });
 }

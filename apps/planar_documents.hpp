@@ -31,7 +31,7 @@ struct planar_provenance {
 };
 
 /// Faces that are their own representatives.
-inline int faces_of(const planar::skeleton& s) {
+inline int faces_of(const plane::skeleton& s) {
   int count = 0;
   for (std::size_t f = 0; f < s.faces.size(); ++f) count += s.faces[f] == static_cast<int>(f) ? 1 : 0;
   return count;
@@ -40,9 +40,9 @@ inline int faces_of(const planar::skeleton& s) {
 /// Writes the whole skeleton, without loss: planar_reader gives it back. One element a line, so that a million vertices need no more memory than the
 /// skeleton has. Exact numbers are strings; `time` and `point` follow from the lines and are rounded to doubles, in the units of the input. Edge i,
 /// face i and vertex i belong together (see `outline`), counted from 0.
-inline void write_planar_skeleton(std::ostream& out, const planar::polygon<integer>& p, const planar_skeletons& s, const planar_provenance& by) {
-  const planar::unit_lines lines(p.lines, p.points);
-  const planar::fast_locator where(p, lines);
+inline void write_planar_skeleton(std::ostream& out, const plane::polygon<integer>& p, const planar_skeletons& s, const planar_provenance& by) {
+  const plane::unit_lines lines(p.lines, p.points);
+  const plane::fast_locator where(p, lines);
   const auto list = [&out](const char* name, std::size_t size, auto element) {
     fmt::print(out, "\"{}\":[", name);
     for (std::size_t i = 0; i < size; ++i) {
@@ -53,7 +53,7 @@ inline void write_planar_skeleton(std::ostream& out, const planar::polygon<integ
   };
   const auto number = [](double x) { return json(x).dump(); };
   const auto place = [&](int vertex, const triple& q) {
-    const planar::located at = vertex >= 0 ? where.vertex(vertex) : where.meeting(q);
+    const plane::located at = vertex >= 0 ? where.vertex(vertex) : where.meeting(q);
     fmt::print(out, "\"time\":{},\"point\":[{},{}]}}", number(at.time), number(at.x), number(at.y));
   };
   const auto arcs = [&](const auto& all) {
@@ -69,8 +69,8 @@ inline void write_planar_skeleton(std::ostream& out, const planar::polygon<integ
     fmt::print(out, "{{\"n\":[\"{}\",\"{}\"],\"d\":\"{}\",\"weight\":\"{}\"}}", l.n[0].str(), l.n[1].str(), l.d.str(), l.weight.str());
   });
   fmt::print(out, ",\n");
-  list("outline", p.outline.next.size(), [&](std::size_t i) {
-    fmt::print(out, "{{\"point\":{},\"next\":{},\"line\":{}}}", p.input_points[i] + 1, p.outline.next[i], p.outline.line[i]);
+  list("outline", p.boundary.next.size(), [&](std::size_t i) {
+    fmt::print(out, "{{\"point\":{},\"next\":{},\"line\":{}}}", p.input_points[i] + 1, p.boundary.next[i], p.boundary.line[i]);
   });
   fmt::print(out, ",\n");
   list("nodes", s.raw.nodes.size(), [&](std::size_t i) {
@@ -78,7 +78,7 @@ inline void write_planar_skeleton(std::ostream& out, const planar::polygon<integ
     if (n.vertex >= 0)
       fmt::print(out, "{{\"vertex\":{},\"lines\":[{},{}],", n.vertex, n.lines[0], n.lines[1]);
     else
-      fmt::print(out, "{{\"event\":\"{}\",\"late\":{},\"lines\":[{},{},{}],", planar_event_names[static_cast<std::size_t>(n.event)], n.late,
+      fmt::print(out, "{{\"event\":\"{}\",\"late\":{},\"lines\":[{},{},{}],", planar_event_names[static_cast<std::size_t>(n.event)], n.zero_length,
                  n.lines[0], n.lines[1], n.lines[2]);
     place(n.vertex, n.lines);
   });
@@ -87,8 +87,8 @@ inline void write_planar_skeleton(std::ostream& out, const planar::polygon<integ
   fmt::print(out, ",\n");
   list("faces", s.raw.faces.size(), [&](std::size_t i) { fmt::print(out, "{}", s.raw.faces[i]); });
   fmt::print(out, ",\n");
-  list("passes", s.raw.passes.size(),
-       [&](std::size_t i) { fmt::print(out, "{{\"arc\":{},\"node\":{}}}", s.raw.passes[i].arc, s.raw.passes[i].node); });
+  list("passes", s.raw.interior_nodes.size(),
+       [&](std::size_t i) { fmt::print(out, "{{\"arc\":{},\"node\":{}}}", s.raw.interior_nodes[i].arc, s.raw.interior_nodes[i].node); });
   fmt::print(out, ",\n\"events\":{{\"edge\":{},\"split\":{}}}", s.raw.events[0], s.raw.events[1]);
   if (s.exact) {
     fmt::print(out, ",\n\"contracted\":{{");
@@ -109,7 +109,7 @@ inline void write_planar_skeleton(std::ostream& out, const planar::polygon<integ
 struct planar_file {
   planar_provenance by;
   std::vector<moving_line<integer>> lines;
-  planar::outline outline;
+  plane::boundary boundary;
   planar_skeletons skeletons;
 };
 
@@ -130,12 +130,12 @@ class planar_reader : json_reader {
           {{n[0], n[1]}, exact_number_in(member(l, "d", at), at + ".d"), exact_number_in(member(l, "weight", at), at + ".weight")});
     });
     for_each(doc, "outline", [&](const json& v, const std::string& at) {
-      result.outline.next.push_back(whole(v, "next", at));
-      result.outline.line.push_back(whole(v, "line", at));
+      result.boundary.next.push_back(whole(v, "next", at));
+      result.boundary.line.push_back(whole(v, "line", at));
     });
-    planar::skeleton& raw = result.skeletons.raw;
+    plane::skeleton& raw = result.skeletons.raw;
     for_each(doc, "nodes", [&](const json& n, const std::string& at) {
-      planar::skeleton::node node{-1, {-1, -1, -1}, planar::event_class::edge};
+      plane::skeleton::node node{-1, {-1, -1, -1}, plane::event_class::edge};
       if (n.is_object() && n.contains("vertex")) {
         const auto lines = tuple<2>(n, "lines", at);
         node.vertex = whole(n, "vertex", at);
@@ -144,14 +144,14 @@ class planar_reader : json_reader {
         node.lines = tuple<3>(n, "lines", at);
         const auto found = std::find(planar_event_names.begin(), planar_event_names.end(), text(n, "event", at));
         if (found == planar_event_names.end()) wrong(at + ".event", "is no class of events");
-        node.event = static_cast<planar::event_class>(found - planar_event_names.begin());
-        node.late = truth(n, "late", at);
+        node.event = static_cast<plane::event_class>(found - planar_event_names.begin());
+        node.zero_length = truth(n, "late", at);
       }
       raw.nodes.push_back(node);
     });
     read_arcs(doc, raw.arcs, "");
     raw.faces = list(doc, "faces", "");
-    for_each(doc, "passes", [&](const json& p, const std::string& at) { raw.passes.push_back({whole(p, "arc", at), whole(p, "node", at)}); });
+    for_each(doc, "passes", [&](const json& p, const std::string& at) { raw.interior_nodes.push_back({whole(p, "arc", at), whole(p, "node", at)}); });
     const json& events = member(doc, "events", "");
     raw.events = {whole(events, "edge", "events"), whole(events, "split", "events")};
     if (doc.contains("contracted")) {

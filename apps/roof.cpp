@@ -50,17 +50,17 @@ struct roof_command {
   }
 
   void run(bool one_angle) const {
-    const planar::polygon<integer> p = read_polygon_file(file, false, [&](planar::rings<integer>& r) {
+    const plane::polygon<integer> p = read_polygon_file(file, false, [&](plane::rings<integer>& r) {
       if (one_angle || !angles.empty()) set_angles(r);
     });
     const planar_skeletons both = compute_planar("sqrt", p);
-    planar::roof_options o;
+    plane::roof_options o;
     o.slope = slope;
     o.eaves = eaves;
     o.walls = walls;
     o.triangulate = triangulate;
-    const planar::roof_mesh mesh = planar::make_roof(p, both.raw, *both.exact, o);
-    const auto write = [&](std::ostream& out) { planar::write_obj(out, mesh); };
+    const plane::roof_mesh mesh = plane::make_roof(p, both.raw, *both.exact, o);
+    const auto write = [&](std::ostream& out) { plane::write_obj(out, mesh); };
     if (!output.empty()) write_file(output, write);
     if (summary) {
       double top = eaves;
@@ -73,10 +73,10 @@ struct roof_command {
   }
 
   // Angles become weights; they take the place of those in the file.
-  void set_angles(planar::rings<integer>& r) const {
+  void set_angles(plane::rings<integer>& r) const {
     std::vector<exact_number<integer>*> weights;
     for (auto& ring : r.all) {
-      ring.weights.assign(ring.points.size(), *from_double<integer>(planar::weight_of_slope(angle)));
+      ring.weights.assign(ring.points.size(), *from_double<integer>(plane::weight_of_slope(angle)));
       for (auto& w : ring.weights) weights.push_back(&w);
     }
     for (const auto& text : angles) {
@@ -85,7 +85,7 @@ struct roof_command {
       char rest = 0;
       if (std::sscanf(text.c_str(), "%zu=%lf%c", &point, &degrees, &rest) != 2 || point < 1 || point > weights.size())
         throw CLI::ValidationError("--edge-angle", fmt::format("{} is not N=DEGREES with a point N from 1 to {}", text, weights.size()));
-      *weights[point - 1] = *from_double<integer>(planar::weight_of_slope(degrees));
+      *weights[point - 1] = *from_double<integer>(plane::weight_of_slope(degrees));
     }
   }
 };

@@ -51,13 +51,13 @@ struct skeleton_command {
   void run_plane() const {
     if (prefer != "convex" || !saddle.empty() || input.flip || input.triangulate)
       throw CLI::ValidationError(input.file, "--prefer, --saddle, --flip and --triangulate are for polyhedra");
-    const planar::polygon<integer> p = read_polygon_file(input.file, outside);
-    planar::options o;
+    const plane::polygon<integer> p = read_polygon_file(input.file, outside);
+    plane::skeleton_options o;
     o.outside = outside;
     const auto begin = std::chrono::steady_clock::now();
     const planar_skeletons both = compute_planar(kernel, p, o);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    if (certified) demand_certified(planar::rule_names, certify(p, kernel, both, outside));
+    if (certified) demand_certified(plane::rule_names, certify(p, kernel, both, outside));
     const planar_provenance by = {kernel, outside};
     if (!output.empty()) write_file(output, [&](std::ostream& out) { write_planar_skeleton(out, p, both, by); });
     if (summary) {
@@ -81,7 +81,7 @@ struct skeleton_command {
   void run() const {
     if (outside) throw CLI::ValidationError("--outside", "is for polygons");
     const solid<integer> s = input.read();
-    options o;
+    skeleton_options o;
     o.prefer = preferences.at(prefer);
     o.saddle = saddle.empty() ? default_saddle(o.prefer) : saddles.at(saddle);
     const auto begin = std::chrono::steady_clock::now();

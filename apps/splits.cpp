@@ -162,7 +162,7 @@ struct splits_command {
   void draw_sphere(const solid<integer>& s, const corner& c) const {
     const auto t = preferred_split(default_kernel(s), c, preferences.at(prefer));
     if (!t || t->tree.vertices.size() + 2 != c.facets.size())
-      throw unsupported_error("not yet: the spherical skeleton of a vertex with several facets in one plane; cure: list its splits with --all");
+      throw unsupported_error("not yet: the spherical skeleton of a vertex with several facets in one plane; hint: list its splits with --all");
     const spherical_skeleton sphere = make_spherical_skeleton(s.planes, c, t->tree);
     spherical_skeleton::vector from{};
     const double longest = eye.empty() ? 1 : std::max({std::abs(eye[0]), std::abs(eye[1]), std::abs(eye[2])});

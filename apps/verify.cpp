@@ -55,10 +55,10 @@ struct verify_command {
   void run_plane() {
     std::ifstream in = open();
     const planar_file given = planar_reader(file).read(in);
-    const planar::polygon<integer> p = read_polygon_file(input.file, given.by.outside);
-    report(planar::rule_names, given.lines == p.lines && given.outline.next == p.outline.next && given.outline.line == p.outline.line
-                                   ? certify(p, given.by.kernel, given.skeletons, given.by.outside)
-                                   : planar::refutation{planar::rule::structure, "the lines and edges are not those of the polygon"});
+    const plane::polygon<integer> p = read_polygon_file(input.file, given.by.outside);
+    report(plane::rule_names, given.lines == p.lines && given.boundary.next == p.boundary.next && given.boundary.line == p.boundary.line
+                                  ? certify(p, given.by.kernel, given.skeletons, given.by.outside)
+                                  : plane::refutation{plane::rule::structure, "the lines and edges are not those of the polygon"});
   }
 
   static std::optional<refutation> check(const solid<integer>& s, const skeleton_file& given) {

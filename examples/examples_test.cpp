@@ -59,7 +59,7 @@ TEST(examples, errors) {
     EXPECT_EQ(run(name).status, 2) << name;
     const auto r = run(name + " " + input("missing.xy"));
     EXPECT_EQ(r.status, 3) << name;
-    EXPECT_NE(r.messages.find("cure: "), std::string::npos) << name;
+    EXPECT_NE(r.messages.find("hint: "), std::string::npos) << name;
     EXPECT_EQ(r.output, "") << name;
   }
   EXPECT_EQ(run("hip_roof " + input("outline.xy") + " 90").status, 2);

@@ -55,13 +55,13 @@ vec unit(vec a) { return 1 / length(a) * a; }
 class fold {
  public:
   /// A polygon and what is outside of it.
-  fold(const planar::polygon<integer>& p, const planar::polygon<integer>& rest, double margin) : vertices_(static_cast<int>(p.points.size())) {
+  fold(const plane::polygon<integer>& p, const plane::polygon<integer>& rest, double margin) : vertices_(static_cast<int>(p.points.size())) {
     for (const auto& l : p.lines)
       if (l.weight != p.lines[0].weight)
         throw input_error(input_fault::bad_weight, 0, "paper folds at bisectors only, so no edge may have a weight of its own",
                           "leave the weights out");
     if (rest.points != p.points)
-      throw unsupported_error("the polygon touches itself, so its corners outside are others than inside; cure: move that point a little");
+      throw unsupported_error("the polygon touches itself, so its corners outside are others than inside; hint: move that point a little");
     nodes_.resize(vertices_);
     const auto inner = add_skeleton(p, false);
     low_ = high_ = nodes_[0].at;
@@ -76,7 +76,7 @@ class fold {
     size_ += 2 * m;
     const auto outer = add_skeleton(rest, true);
     for (int v = 0; v < vertices_; ++v) {
-      const int w = p.outline.next[v];
+      const int w = p.boundary.next[v];
       add_wall({v, w, nodes_[v].at, nodes_[w].at, {inner[v], vertices_ + outer[w]}, false});
     }
   }
@@ -150,19 +150,19 @@ class fold {
   }
 
   // Returns the face in front of each edge.
-  std::vector<int> add_skeleton(const planar::polygon<integer>& p, bool outside) {
+  std::vector<int> add_skeleton(const plane::polygon<integer>& p, bool outside) {
     const std::span<const moving_line<integer>> lines(p.lines);
     const perturbed kernel(filtered(lines, make_sqrt_kernel(lines), anchors_of(p)));
-    const planar::motion motion(lines, p.points, outside);
-    const planar::unit_lines units(lines, p.points);
-    const planar::fast_locator locator(p, units);
-    planar::options o{.outside = outside};
+    const plane::vertex_enclosures motion(lines, p.points, outside);
+    const plane::unit_lines units(lines, p.points);
+    const plane::fast_locator locator(p, units);
+    plane::skeleton_options o{.outside = outside};
     // No edge's line is farther than that from any place on the paper.
     if (outside) o.until = motion.moment(locator.unit().to_integers(rational(2 * size_)).convert_to<double>());
-    const auto raw = planar::propagation(kernel, p.outline, motion, o).run();
-    const auto skeleton = planar::contract(kernel.base(), p.outline.line, raw);
+    const auto raw = plane::propagation(kernel, p.boundary, motion, o).run();
+    const auto skeleton = plane::contract(kernel.base(), p.boundary.line, raw);
     const int first = static_cast<int>(faces_.size());
-    for (const int l : p.outline.line) faces_.push_back({{units.lines[l].n[0].high, units.lines[l].n[1].high}, {}});
+    for (const int l : p.boundary.line) faces_.push_back({{units.lines[l].n[0].high, units.lines[l].n[1].high}, {}});
     std::vector<int> number;
     for (int v = 0; v < vertices_; ++v) nodes_[v].at = at(locator.vertex(v));
     for (const auto& n : skeleton.nodes) {
@@ -180,7 +180,7 @@ class fold {
     }
     return raw.faces;
   }
-  static vec at(const planar::located& p) { return {p.x, p.y}; }
+  static vec at(const plane::located& p) { return {p.x, p.y}; }
 
   vec direction(const wall& w, int from) const { return unit(w.from == from ? w.b - w.a : w.a - w.b); }
 
@@ -323,9 +323,9 @@ int main(int argc, char** argv) {
   }
   try {
     std::ifstream in(argv[1], std::ios::binary);
-    auto rings = planar::read_polygon<integer>(in, argv[1]);
-    const auto rest = planar::make_polygon(rings, true);
-    const auto polygon = planar::make_polygon(std::move(rings));
+    auto rings = plane::read_polygon<integer>(in, argv[1]);
+    const auto rest = plane::make_polygon(rings, true);
+    const auto polygon = plane::make_polygon(std::move(rings));
     for (const auto& repair : polygon.repairs) std::fprintf(stderr, "fold_and_cut: note: %s\n", repair.c_str());
     fold creases(polygon, rest, margin);
     creases.add_perpendiculars();

@@ -34,7 +34,7 @@ using namespace osteon;
 constexpr double eaves = 3;
 
 /// The edge that starts at a point of the file, counted from 1 through all rings, does not move.
-void hold(planar::rings<integer>& r, std::size_t point) {
+void hold(plane::rings<integer>& r, std::size_t point) {
   for (auto& ring : r.all) {
     if (ring.weights.empty()) ring.weights.assign(ring.points.size(), *from_double<integer>(1));
     if (point >= 1 && point <= ring.points.size()) {
@@ -46,16 +46,16 @@ void hold(planar::rings<integer>& r, std::size_t point) {
   throw input_error(input_fault::bad_index, 0, "there is no such point to start a gable", "count the points of the file from 1");
 }
 
-planar::roof_mesh build(const planar::polygon<integer>& p, double degrees) {
+plane::roof_mesh build(const plane::polygon<integer>& p, double degrees) {
   const std::span<const moving_line<integer>> lines(p.lines);
   const perturbed kernel(filtered(lines, make_sqrt_kernel(lines), anchors_of(p)));
-  const auto raw = planar::propagation(kernel, p.outline, planar::motion(lines, p.points)).run();
-  const auto exact = planar::contract(kernel.base(), p.outline.line, raw);
-  return planar::make_roof(p, raw, exact, {.slope = std::tan(degrees * std::atan(1.0) / 45), .eaves = eaves, .walls = true});
+  const auto raw = plane::propagation(kernel, p.boundary, plane::vertex_enclosures(lines, p.points)).run();
+  const auto exact = plane::contract(kernel.base(), p.boundary.line, raw);
+  return plane::make_roof(p, raw, exact, {.slope = std::tan(degrees * std::atan(1.0) / 45), .eaves = eaves, .walls = true});
 }
 
 /// Twice the area of a flat face, as a vector, from triangles; and six times the volume between it and the origin.
-std::array<double, 4> measure(const planar::roof_mesh& m, const planar::roof_mesh::face& f) {
+std::array<double, 4> measure(const plane::roof_mesh& m, const plane::roof_mesh::face& f) {
   std::array<double, 4> sum{};
   const auto& o = m.points[f.corners[0]];
   for (std::size_t i = 1; i + 1 < f.corners.size(); ++i) {
@@ -72,14 +72,14 @@ std::array<double, 4> measure(const planar::roof_mesh& m, const planar::roof_mes
   return sum;
 }
 
-void report(const planar::roof_mesh& m) {
+void report(const plane::roof_mesh& m) {
   double ridge = 0;
   double area = 0;
   double volume = 0;
   for (const auto& p : m.points) ridge = std::max(ridge, p[2]);
   for (const auto& f : m.faces) {
     const auto x = measure(m, f);
-    if (f.what == planar::roof_mesh::kind::roof && x[2] > 0) area += std::hypot(x[0], x[1], x[2]) / 2;  // a gable is upright
+    if (f.what == plane::roof_mesh::kind::roof && x[2] > 0) area += std::hypot(x[0], x[1], x[2]) / 2;  // a gable is upright
     volume += x[3] / 6;
   }
   std::fprintf(stderr, "ridge at %.10g, %.10g of roof to cover, volume %.10g\n", ridge, area, volume);
@@ -95,12 +95,12 @@ int main(int argc, char** argv) {
   }
   try {
     std::ifstream in(argv[1], std::ios::binary);
-    auto rings = planar::read_polygon<integer>(in, argv[1]);
+    auto rings = plane::read_polygon<integer>(in, argv[1]);
     if (argc > 3) hold(rings, std::strtoul(argv[3], nullptr, 10));
-    const auto polygon = planar::make_polygon(std::move(rings));
+    const auto polygon = plane::make_polygon(std::move(rings));
     for (const auto& repair : polygon.repairs) std::fprintf(stderr, "hip_roof: note: %s\n", repair.c_str());
     const auto mesh = build(polygon, degrees);
-    planar::write_obj(std::cout, mesh);
+    plane::write_obj(std::cout, mesh);
     report(mesh);
     return 0;
   } catch (const std::exception& e) {

@@ -37,13 +37,13 @@ using namespace osteon;
 
 class centre_lines {
  public:
-  explicit centre_lines(const planar::polygon<integer>& p) {
+  explicit centre_lines(const plane::polygon<integer>& p) {
     const std::span<const moving_line<integer>> lines(p.lines);
     const perturbed kernel(filtered(lines, make_sqrt_kernel(lines), anchors_of(p)));
-    const auto raw = planar::propagation(kernel, p.outline, planar::motion(lines, p.points)).run();
-    const auto skeleton = planar::contract(kernel.base(), p.outline.line, raw);
-    const planar::unit_lines units(lines, p.points);
-    const planar::fast_locator locator(p, units);
+    const auto raw = plane::propagation(kernel, p.boundary, plane::vertex_enclosures(lines, p.points)).run();
+    const auto skeleton = plane::contract(kernel.base(), p.boundary.line, raw);
+    const plane::unit_lines units(lines, p.points);
+    const plane::fast_locator locator(p, units);
     for (const auto& n : skeleton.nodes) places_.push_back(n.vertex >= 0 ? locator.vertex(n.vertex) : locator.meeting(n.lines));
     at_.resize(places_.size());
     std::map<std::pair<int, int>, int> corners;  // how many arcs lead from vertices to a node beside a face
@@ -54,7 +54,7 @@ class centre_lines {
         for (const int f : a.faces) ++corners[{a.target, f}];
     }
     for (const auto& [key, count] : corners) {
-      const auto& n = units.lines[p.outline.line[key.second]].n;
+      const auto& n = units.lines[p.boundary.line[key.second]].n;
       if (count == 2) lead_on(skeleton, key.first, key.second, {-n[0].high, -n[1].high});
     }
     cut_arcs(skeleton);
@@ -123,10 +123,10 @@ class centre_lines {
 
   // In front of two vertices where the same face begins is a dead end, which lies before the face's edge, or a mouth, which lies behind it. From
   // there a line leads to the next arc of the face.
-  void lead_on(const planar::contracted_skeleton& s, int node, int face, const std::array<double, 2>& inwards) {
-    const planar::located& p = places_[node];
-    const auto height = [&](const planar::located& q) { return inwards[0] * (q.x - p.x) + inwards[1] * (q.y - p.y); };
-    const auto beside = [&](const planar::located& q) { return inwards[0] * (q.y - p.y) - inwards[1] * (q.x - p.x); };
+  void lead_on(const plane::contracted_skeleton& s, int node, int face, const std::array<double, 2>& inwards) {
+    const plane::located& p = places_[node];
+    const auto height = [&](const plane::located& q) { return inwards[0] * (q.x - p.x) + inwards[1] * (q.y - p.y); };
+    const auto beside = [&](const plane::located& q) { return inwards[0] * (q.y - p.y) - inwards[1] * (q.x - p.x); };
     if (at_[node].empty() || std::any_of(at_[node].begin(), at_[node].end(), [&](int m) { return height(places_[m]) >= 0; })) return;
     cut next{-1, 0, -1};
     double nearest = 0;
@@ -147,8 +147,8 @@ class centre_lines {
     if (next.part > 1 - 1e-9 || s.nodes[a.source].vertex >= 0) return join(node, a.target);
     if (next.part < 1e-9) return join(node, a.source);
     next.node = nodes();
-    const planar::located from = places_[a.source];
-    const planar::located to = places_[a.target];
+    const plane::located from = places_[a.source];
+    const plane::located to = places_[a.target];
     const auto between = [&](double x, double y) { return x + next.part * (y - x); };
     places_.push_back({between(from.x, to.x), between(from.y, to.y), between(from.time, to.time)});
     at_.emplace_back();
@@ -156,7 +156,7 @@ class centre_lines {
     cuts_.push_back(next);
   }
 
-  void cut_arcs(const planar::contracted_skeleton& s) {
+  void cut_arcs(const plane::contracted_skeleton& s) {
     std::sort(cuts_.begin(), cuts_.end());
     for (std::size_t i = 0; i < cuts_.size(); ++i) {
       const auto& c = cuts_[i];
@@ -194,9 +194,9 @@ class centre_lines {
     return sum;
   }
 
-  std::vector<planar::located> places_;  // of nodes
-  std::vector<std::vector<int>> at_;     // neighbours of a node
-  std::vector<bool> is_inner_;           // has two neighbours
+  std::vector<plane::located> places_;  // of nodes
+  std::vector<std::vector<int>> at_;    // neighbours of a node
+  std::vector<bool> is_inner_;          // has two neighbours
   std::vector<cut> cuts_;
 };
 
@@ -209,7 +209,7 @@ int main(int argc, char** argv) {
   }
   try {
     std::ifstream in(argv[1], std::ios::binary);
-    const auto polygon = planar::make_polygon(planar::read_polygon<integer>(in, argv[1]));
+    const auto polygon = plane::make_polygon(plane::read_polygon<integer>(in, argv[1]));
     for (const auto& repair : polygon.repairs) std::fprintf(stderr, "road_centre_lines: note: %s\n", repair.c_str());
     centre_lines lines(polygon);
     lines.prune();

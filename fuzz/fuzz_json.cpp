@@ -130,9 +130,9 @@ skeleton ordered(skeleton s) {
   std::vector<int> least(s.sheets.size(), -1);
   for (std::size_t i = 0; i < s.sheets.size(); ++i) {
     sort(s.sheets[i].arcs);
-    int& first = least[static_cast<std::size_t>(s.sheets[i].polygon)];
+    int& first = least[static_cast<std::size_t>(s.sheets[i].representative)];
     if (first < 0) first = static_cast<int>(i);
-    s.sheets[i].polygon = first;
+    s.sheets[i].representative = first;
   }
   for (auto& c : s.cells) sort(c);
   return s;
@@ -144,7 +144,7 @@ bool same(const skeleton& x, const skeleton& y) {
   };
   return all(x.nodes, y.nodes, [](const skeleton::node& n) { return std::tie(n.vertex, n.planes, n.event, n.ambiguous, n.arcs); }) &&
          all(x.arcs, y.arcs, [](const skeleton::arc& a) { return std::tie(a.source, a.target, a.planes, a.corner, a.sheets); }) &&
-         all(x.sheets, y.sheets, [](const skeleton::sheet& s) { return std::tie(s.facets, s.input_edge, s.polygon, s.arcs); }) &&
+         all(x.sheets, y.sheets, [](const skeleton::sheet& s) { return std::tie(s.facets, s.input_edge, s.representative, s.arcs); }) &&
          x.cells == y.cells && x.events == y.events && x.ambiguous == y.ambiguous;
 }
 
@@ -170,7 +170,7 @@ void run(decoder d) {
   } catch (const input_error& e) {
     const std::string what = e.what();
     require(changes > 0 || any_text, "what was written is read");
-    require(e.fault == input_fault::not_skeleton && !e.cure.empty(), "an input error says that this is no skeleton");
+    require(e.fault == input_fault::not_skeleton && !e.hint.empty(), "an input error says that this is no skeleton");
     require(std::all_of(what.begin(), what.end(), [](char c) { return c >= ' ' && c <= '~'; }), "a message is printable");
     tally::add(any_text ? "text, refused" : "document, refused");
     return;

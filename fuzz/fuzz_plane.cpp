@@ -25,21 +25,21 @@
 namespace osteon::fuzz {
 namespace {
 
-using planar::models::point;
-using planar::models::region;
+using plane::models::point;
+using plane::models::region;
 
 constexpr int width = 6;
 constexpr long unit = 8;
 
 struct sample {
-  planar::rings<integer> rings;
+  plane::rings<integer> rings;
   bool touching = false;
   bool weighted = false;
 };
 
 // A path that may visit cells again.
-planar::models::cell_grid cells(decoder& d) {
-  planar::models::cell_grid grid(width);
+plane::models::cell_grid cells(decoder& d) {
+  plane::models::cell_grid grid(width);
   int x = 3;
   int y = 3;
   grid.fill(x, y);
@@ -84,7 +84,7 @@ sample decode(decoder& d) {
   for (auto& ring : r)
     for (point& p : ring) p = {p[0] * by[0] - p[1] * by[1], p[0] * by[1] + p[1] * by[0]};
 
-  s.rings = planar::models::take<integer>(r);
+  s.rings = plane::models::take<integer>(r);
   if (weights != 0) {
     for (auto& ring : s.rings.all)
       for (std::size_t i = 0; i < ring.points.size(); ++i) ring.weights.push_back({integer(weights == 1 ? d.between(1, 4) : d.between(0, 2)), 0, 0});
@@ -93,13 +93,13 @@ sample decode(decoder& d) {
   return s;
 }
 
-void require_same(const planar::skeleton& x, const planar::skeleton& y) {
+void require_same(const plane::skeleton& x, const plane::skeleton& y) {
   require(x.nodes.size() == y.nodes.size() && x.arcs.size() == y.arcs.size() && x.faces == y.faces, "a filter changes no count");
   for (std::size_t i = 0; i < x.nodes.size(); ++i)
     require(x.nodes[i].lines == y.nodes[i].lines && x.nodes[i].event == y.nodes[i].event, "a filter changes no node");
 }
 
-double area(const planar::offset_polygon<double>& p) {
+double area(const plane::offset_polygon<double>& p) {
   double sum = 0;
   for (const auto& r : p.rings)
     for (std::size_t i = 0, j = r.points.size() - 1; i < r.points.size(); j = i++)
@@ -107,8 +107,8 @@ double area(const planar::offset_polygon<double>& p) {
   return sum / 2;
 }
 
-void check_offsets(const planar::polygon<integer>& p, const planar::skeleton& raw) {
-  const planar::offsets offsets(p, raw);
+void check_offsets(const plane::polygon<integer>& p, const plane::skeleton& raw) {
+  const plane::offsets offsets(p, raw);
   double last = 0;
   for (const auto& n : raw.nodes)
     if (n.vertex < 0) last = std::max(last, offsets.places().meeting(n.lines).time);
@@ -126,9 +126,9 @@ void run(decoder d) {
   const unsigned plan = d.byte();
   const bool outside = (plan & 1U) != 0;
   const sample s = decode(d);
-  planar::polygon<integer> p;
+  plane::polygon<integer> p;
   try {
-    p = planar::make_polygon(s.rings, outside);
+    p = plane::make_polygon(s.rings, outside);
   } catch (const input_error&) {
     require(s.touching, "cells of a grid that do not touch make a polygon");
     tally::add("refused");
@@ -139,13 +139,13 @@ void run(decoder d) {
     auto [raw, exact] = certified(k, p, outside);
     tally::add(outside ? "outside" : "inside");
     if ((plan & 4U) != 0) require_same(raw, raw_skeleton(perturbed(k.base().base(), (plan & 2U) != 0), p, outside));
-    if (outside || has_held_edge(p)) return;
+    if (outside || has_stationary_edge(p)) return;
     check_offsets(p, raw);
     if (s.touching) return;
     const auto fault = oracles::fault_of({p, std::move(raw), std::move(exact)});
     if (!fault.empty()) broken(fault);
   } catch (const unsupported_error&) {
-    require(has_held_edge(p), "only held edges enclose what never vanishes");
+    require(has_stationary_edge(p), "only held edges enclose what never vanishes");
     tally::add("never vanishes");
   }
   if ((plan & 8U) == 0) return;

@@ -21,7 +21,7 @@
 namespace osteon::fuzz {
 namespace {
 
-std::size_t points_of(const planar::rings<integer>& r) {
+std::size_t points_of(const plane::rings<integer>& r) {
   std::size_t count = 0;
   for (const auto& ring : r.all) {
     require(ring.weights.empty() || ring.weights.size() == ring.points.size(), "a ring has as many weights as points");
@@ -31,22 +31,23 @@ std::size_t points_of(const planar::rings<integer>& r) {
   return count;
 }
 
-void check_polygon(const planar::polygon<integer>& p) {
+void check_polygon(const plane::polygon<integer>& p) {
   const std::size_t n = p.points.size();
   require(n >= 3 && p.parts >= 1 && p.holes >= 0, "a polygon has three vertices");
-  require(p.outline.next.size() == n && p.outline.line.size() == n && p.outline.rank.size() == n && p.input_points.size() == n, "lists are complete");
+  require(p.boundary.next.size() == n && p.boundary.line.size() == n && p.boundary.rank.size() == n && p.input_points.size() == n,
+          "lists are complete");
   for (std::size_t e = 0; e < n; ++e) {
-    const auto& l = p.lines[static_cast<std::size_t>(p.outline.line[e])];
-    for (const std::size_t end : {e, static_cast<std::size_t>(p.outline.next[e])})
+    const auto& l = p.lines[static_cast<std::size_t>(p.boundary.line[e])];
+    for (const std::size_t end : {e, static_cast<std::size_t>(p.boundary.next[e])})
       require(l.n[0] * p.points[end][0] + l.n[1] * p.points[end][1] == l.d, "an edge lies on its line");
   }
 }
 
 void run(const std::string& text) {
-  planar::rings<integer> rings;
+  plane::rings<integer> rings;
   try {
     std::istringstream in(text);
-    rings = planar::read_polygon<integer>(in, "input");
+    rings = plane::read_polygon<integer>(in, "input");
   } catch (const input_error& e) {
     check_error(e);
     tally::add("refused by the reader");
@@ -60,9 +61,9 @@ void run(const std::string& text) {
     return;
   }
   for (const bool outside : {false, true}) {
-    planar::polygon<integer> p;
+    plane::polygon<integer> p;
     try {
-      p = planar::make_polygon(rings, outside);
+      p = plane::make_polygon(rings, outside);
     } catch (const input_error& e) {
       check_error(e);
       tally::add("refused as a polygon");
@@ -73,7 +74,7 @@ void run(const std::string& text) {
       certified(planar_kernel_of(p), p, outside);
       tally::add("a skeleton");
     } catch (const unsupported_error&) {
-      require(has_held_edge(p), "only held edges enclose what never vanishes");
+      require(has_stationary_edge(p), "only held edges enclose what never vanishes");
       tally::add("never vanishes");
     }
   }

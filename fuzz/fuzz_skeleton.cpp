@@ -112,7 +112,7 @@ void check_volumes(const solid<integer>& s, const skeleton& raw, const models::v
 }
 
 // Whether a third facet of some vertex contains the line of one of its edges: then, and only then, facets may flood edges for ever.
-bool may_flood(const solid<integer>& s) {
+bool may_insert(const solid<integer>& s) {
   for (const auto& v : s.boundary.vertices)
     for (const int e : v.edges) {
       const auto& [p, q] = s.boundary.edges[static_cast<std::size_t>(e)].planes;
@@ -124,7 +124,7 @@ bool may_flood(const solid<integer>& s) {
 }
 
 template <kernel K>
-skeleton certified(const K& k, const solid<integer>& s, const options& o) {
+skeleton certified(const K& k, const solid<integer>& s, const skeleton_options& o) {
   skeleton raw = straight_skeleton(k, s.boundary, o);
   if (const auto r = verify(k, s.boundary, raw))
     broken("certificate: " + std::string(rule_names[static_cast<std::size_t>(r->broken)]) + ": " + r->witness);
@@ -140,7 +140,7 @@ void require_same(const skeleton& x, const skeleton& y) {
             "a filter changes no node");
 }
 
-skeleton compute(const solid<integer>& s, const options& o, unsigned kernels) {
+skeleton compute(const solid<integer>& s, const skeleton_options& o, unsigned kernels) {
   const std::span<const moving_plane<integer>> planes(s.planes);
   switch (kernels) {
     case 1:
@@ -167,7 +167,7 @@ skeleton compute(const solid<integer>& s, const options& o, unsigned kernels) {
 
 void run(decoder d) {
   const unsigned plan = d.byte();
-  const options o = {static_cast<split_preference>(plan & 3U), static_cast<saddle_rule>(plan >> 2U & 3U)};
+  const skeleton_options o = {static_cast<split_preference>(plan & 3U), static_cast<saddle_rule>(plan >> 2U & 3U)};
   decoded shape = decode_shape(d, most_facets);
   if (!shape.valid && (plan & 128U) == 0) {  // nearly always only because facets are bent
     try {
@@ -197,7 +197,7 @@ void run(decoder d) {
   } catch (const degenerate_error&) {
     throw;
   } catch (const unsupported_error&) {
-    require(may_flood(*s), "a vertex of low degree is split, or flooded");
+    require(may_insert(*s), "a vertex of low degree is split, or flooded");
     tally::add("refused: floods without end");
     return;
   }

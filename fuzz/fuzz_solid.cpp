@@ -23,7 +23,7 @@ std::optional<solid<integer>> build(const shape& m) {
   try {
     return make_solid(m);
   } catch (const input_error& e) {
-    require(!e.cure.empty(), "an input error names a cure");
+    require(!e.hint.empty(), "an input error names a hint");
     require(e.element <= std::max(m.points.size(), m.facets.size()), "an input error names an element");
     return std::nullopt;
   }
@@ -131,13 +131,13 @@ void run(decoder d) {
     const solid_check check(*s);
     check.run();
     check.check_against(m);
-    auto inside_out = m;
-    solid_builder<integer>::flip(inside_out);
+    auto inverted = m;
+    solid_builder<integer>::flip(inverted);
     try {
-      make_solid(inside_out);
+      make_solid(inverted);
       broken("a solid turned inside out is refused");
     } catch (const input_error& e) {
-      require(e.fault == input_fault::inside_out, "a solid turned inside out is called that");
+      require(e.fault == input_fault::inverted, "a solid turned inside out is called that");
     }
   }
   auto renumbered = m;

@@ -14,7 +14,7 @@ namespace osteon::fuzz {
 
 inline void check_error(const input_error& e) {
   const std::string what = e.what();
-  require(what.find("; cure: ") != std::string::npos && !e.cure.empty(), "an input error names a cure");
+  require(what.find("; hint: ") != std::string::npos && !e.hint.empty(), "an input error names a hint");
   require(std::all_of(what.begin(), what.end(), [](char c) { return c >= ' ' && c <= '~'; }), "a message is printable");
   require(what.size() < 1000, "a message is short");
 }

@@ -21,34 +21,34 @@
 
 namespace osteon::fuzz {
 
-inline auto planar_kernel_of(const planar::polygon<integer>& p, bool mirrored = false) {
+inline auto planar_kernel_of(const plane::polygon<integer>& p, bool mirrored = false) {
   const std::span<const moving_line<integer>> lines(p.lines);
   return perturbed(filtered(lines, make_sqrt_kernel(lines), anchors_of(p)), mirrored);
 }
 
-template <planar::planar_kernel K>
-planar::skeleton raw_skeleton(const K& k, const planar::polygon<integer>& p, bool outside) {
-  const planar::motion motion(p.lines, p.points, outside);
-  planar::options o;
+template <plane::planar_kernel K>
+plane::skeleton raw_skeleton(const K& k, const plane::polygon<integer>& p, bool outside) {
+  const plane::vertex_enclosures motion(p.lines, p.points, outside);
+  plane::skeleton_options o;
   o.outside = outside;
-  return planar::propagation(k, p.outline, motion, o).run();
+  return plane::propagation(k, p.boundary, motion, o).run();
 }
 
-inline void require_holds(const std::optional<planar::refutation>& r, const char* of) {
-  if (r) broken(std::string(of) + ": " + std::string(planar::rule_names[static_cast<std::size_t>(r->broken)]) + ": " + r->witness);
+inline void require_holds(const std::optional<plane::refutation>& r, const char* of) {
+  if (r) broken(std::string(of) + ": " + std::string(plane::rule_names[static_cast<std::size_t>(r->broken)]) + ": " + r->witness);
 }
 
 /// Raw and contracted, both certified. Throws unsupported_error.
 struct planar_pair {
-  planar::skeleton raw;
-  planar::contracted_skeleton exact;
+  plane::skeleton raw;
+  plane::contracted_skeleton exact;
 };
-template <planar::planar_kernel K>
-planar_pair certified(const K& k, const planar::polygon<integer>& p, bool outside) {
+template <plane::planar_kernel K>
+planar_pair certified(const K& k, const plane::polygon<integer>& p, bool outside) {
   planar_pair s{raw_skeleton(k, p, outside), {}};
-  require_holds(planar::verify(k, p.outline, s.raw, outside, has_held_edge(p)), "certificate");
-  s.exact = planar::contract(k.base(), p.outline.line, s.raw);
-  require_holds(planar::verify_contraction(k.base(), p.outline, s.raw, s.exact), "certificate of the contraction");
+  require_holds(plane::verify(k, p.boundary, s.raw, outside, has_stationary_edge(p)), "certificate");
+  s.exact = plane::contract(k.base(), p.boundary.line, s.raw);
+  require_holds(plane::verify_contraction(k.base(), p.boundary, s.raw, s.exact), "certificate of the contraction");
   return s;
 }
 

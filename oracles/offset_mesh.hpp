@@ -66,7 +66,7 @@ class offset_cutter {
     for (std::size_t a = 0; a < s_.arcs.size(); ++a) {
       const auto& arc = s_.arcs[a];
       if (time(arc.source) > t || time(arc.target) < t) continue;
-      for (const int sheet : arc.sheets) ends[s_.sheets[static_cast<std::size_t>(sheet)].polygon].push_back(static_cast<int>(m.points.size()));
+      for (const int sheet : arc.sheets) ends[s_.sheets[static_cast<std::size_t>(sheet)].representative].push_back(static_cast<int>(m.points.size()));
       m.arcs.push_back(static_cast<int>(a));
       m.points.push_back(corner(arc.planes, t));
     }

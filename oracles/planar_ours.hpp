@@ -33,35 +33,35 @@ namespace osteon::oracles {
 
 /// A polygon and its skeletons by the library's default kernel.
 struct planar_skeletons {
-  planar::polygon<integer> polygon;
-  planar::skeleton raw;
-  planar::contracted_skeleton exact;
+  plane::polygon<integer> polygon;
+  plane::skeleton raw;
+  plane::contracted_skeleton exact;
 };
 
-using planar_rings = planar::rings<integer>;
+using planar_rings = plane::rings<integer>;
 
-inline std::span<const moving_line<integer>> lines_in(const planar::polygon<integer>& p) { return p.lines; }
+inline std::span<const moving_line<integer>> lines_in(const plane::polygon<integer>& p) { return p.lines; }
 
-inline auto planar_default_kernel(const planar::polygon<integer>& p) {
+inline auto planar_default_kernel(const plane::polygon<integer>& p) {
   return perturbed(filtered(lines_in(p), make_sqrt_kernel(lines_in(p)), anchors_of(p)));
 }
 
 /// The raw skeleton under any kernel.
-template <planar::planar_kernel K>
-planar::skeleton raw_skeleton(const K& k, const planar::polygon<integer>& p) {
-  const planar::motion motion(lines_in(p), p.points);
-  return planar::propagation(k, p.outline, motion).run();
+template <plane::planar_kernel K>
+plane::skeleton raw_skeleton(const K& k, const plane::polygon<integer>& p) {
+  const plane::vertex_enclosures motion(lines_in(p), p.points);
+  return plane::propagation(k, p.boundary, motion).run();
 }
 
 inline planar_skeletons skeletons_of(planar_rings rings) {
-  planar_skeletons result{planar::make_polygon(std::move(rings)), {}, {}};
+  planar_skeletons result{plane::make_polygon(std::move(rings)), {}, {}};
   const auto k = planar_default_kernel(result.polygon);
   result.raw = raw_skeleton(k, result.polygon);
-  result.exact = planar::contract(k.base(), result.polygon.outline.line, result.raw);
+  result.exact = plane::contract(k.base(), result.polygon.boundary.line, result.raw);
   return result;
 }
 
-inline planar_skeletons skeletons_of(const planar_input& input) { return skeletons_of(planar::make_rings<integer>(input.rings, input.weights)); }
+inline planar_skeletons skeletons_of(const planar_input& input) { return skeletons_of(plane::make_rings<integer>(input.rings, input.weights)); }
 
 /// Generated polygons as the oracles take them: exact up to 2^53.
 inline planar_input doubles_of(const std::vector<std::vector<std::array<long, 2>>>& region) {
@@ -74,7 +74,7 @@ inline planar_input doubles_of(const std::vector<std::vector<std::array<long, 2>
 }
 
 /// By node of the contracted skeleton: the edges of the polygon whose faces meet there, ascending, those of a face by its representative.
-inline std::vector<std::vector<int>> faces_by_node(const planar::contracted_skeleton& s) {
+inline std::vector<std::vector<int>> faces_by_node(const plane::contracted_skeleton& s) {
   std::vector<std::vector<int>> result(s.nodes.size());
   for (const auto& a : s.arcs)
     for (const int n : {a.source, a.target})
@@ -94,7 +94,7 @@ class planar_places {
     number x, y;
   };
 
-  explicit planar_places(const planar::polygon<integer>& p) : polygon_(p) {
+  explicit planar_places(const plane::polygon<integer>& p) : polygon_(p) {
     for (const auto& l : p.lines) speeds_.push_back(number(l.weight) * sqrt(number(l.n[0] * l.n[0] + l.n[1] * l.n[1])));
   }
 
@@ -116,7 +116,7 @@ class planar_places {
  private:
   const number& speed(int l) const { return speeds_[static_cast<std::size_t>(l)]; }
 
-  const planar::polygon<integer>& polygon_;
+  const plane::polygon<integer>& polygon_;
   std::vector<number> speeds_;
 };
 
@@ -165,7 +165,7 @@ inline bool reflex_vertices_meet(const planar_skeletons& s) {
   };
   std::vector<track> tracks;
   for (const auto& a : s.raw.arcs) {
-    const auto line = [&](int face) { return s.polygon.outline.line[static_cast<std::size_t>(face)]; };
+    const auto line = [&](int face) { return s.polygon.boundary.line[static_cast<std::size_t>(face)]; };
     if (a.target >= 0 && places.det(line(a.faces[0]), line(a.faces[1])) < 0)
       tracks.push_back({{line(a.faces[0]), line(a.faces[1])}, when(a.source), when(a.target)});
   }
@@ -191,7 +191,7 @@ inline bool reflex_vertices_meet(const planar_skeletons& s) {
 /// What is wrong with a contracted skeleton as a decomposition of the polygon's interior; empty: nothing. At every inner node at least three arcs
 /// meet; arcs end, and not where they begin; every face has a border without ends; the skeleton, the boundary and the faces satisfy Euler's formula.
 inline std::string fault_of(const planar_skeletons& s) {
-  const auto& o = s.polygon.outline;
+  const auto& o = s.polygon.boundary;
   const int vertices = static_cast<int>(o.next.size());
   // Places: vertices of the polygon, then inner nodes; one where sheets without a common face touch counts for each of them.
   int inner = 0;

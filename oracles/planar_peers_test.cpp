@@ -175,7 +175,7 @@ TEST_F(planar_long, almost_coincident) {
           }
         }
         try {
-          planar::make_polygon(planar::make_rings<integer>(turned.rings));
+          plane::make_polygon(plane::make_rings<integer>(turned.rings));
         } catch (const input_error&) {
           continue;  // rounding has made it cross itself
         }

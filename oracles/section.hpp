@@ -50,7 +50,7 @@ class section {
     height *= scale * dot(u, u) * dot(v, v);  // all points are integers
     section s;
     const integer to_plane = height * dot(across, across);
-    planar::polygon<integer>& p = s.polygon_;
+    plane::polygon<integer>& p = s.polygon_;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const vector& n = normals[i];
       const integer along = to_plane / dot(across, rays[i]);
@@ -59,11 +59,11 @@ class section {
       // Only bounds of the motion are told the weight, and their error is far more than this rounding of it.
       moving_line<integer>& l = p.lines.back();
       l.weight = isqrt((speeds[i] * speeds[i] << 200U) / inner_product(l.n, l.n));
-      p.outline.next.push_back(static_cast<int>((i + 1) % rays.size()));
-      p.outline.line.push_back(static_cast<int>(i));
+      p.boundary.next.push_back(static_cast<int>((i + 1) % rays.size()));
+      p.boundary.line.push_back(static_cast<int>(i));
     }
-    p.outline.lines = static_cast<int>(rays.size());
-    planar::rank_edges(p.outline, p.points);
+    p.boundary.lines = static_cast<int>(rays.size());
+    plane::rank_edges(p.boundary, p.points);
     integer area = 0;
     for (std::size_t i = 0; i < p.points.size(); ++i) {
       const auto& a = p.points[i];
@@ -78,10 +78,10 @@ class section {
   /// The facets that meet in each inner node of its skeleton.
   tree nodes() const {
     const std::span<const moving_line<integer>> lines(polygon_.lines);
-    const direct_kernel<arithmetic> k{arithmetic(lines, speeds_)};
-    const planar::motion motion(lines, polygon_.points);
+    const arithmetic_kernel<arithmetic> k{arithmetic(lines, speeds_)};
+    const plane::vertex_enclosures motion(lines, polygon_.points);
     tree result;
-    for (const auto& node : planar::propagation(k, polygon_.outline, motion).run().nodes)
+    for (const auto& node : plane::propagation(k, polygon_.boundary, motion).run().nodes)
       if (node.vertex < 0) result.insert(node.lines);
     return result;
   }
@@ -108,7 +108,7 @@ class section {
   static vector cross(const vector& a, const vector& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
   static integer dot(const vector& a, const vector& b) { return inner_product(a, b); }
 
-  planar::polygon<integer> polygon_;
+  plane::polygon<integer> polygon_;
   std::vector<integer> speeds_;
 };
 

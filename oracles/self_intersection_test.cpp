@@ -75,14 +75,15 @@ void check(const std::optional<skeletal_solid>& s, int times, census& c) {
   c.noticed += is_valid(cutter.carried(first, at[1]), *s) ? 0 : 1;
 }
 
-const options other_choice = {split_preference::reflex, saddle_rule::reflex};
+const skeleton_options other_choice = {split_preference::reflex, saddle_rule::reflex};
 
 TEST(SelfIntersection, Balls) {
   census c;
   const int solids = effort(12, 300);
   for (int i = 0; i < solids && !HasFatalFailure(); ++i) {
     SCOPED_TRACE("solid " + std::to_string(i) + ", OSTEON_ORACLE_SEED=" + std::to_string(seed()));
-    check(try_skeleton(ball(10 + i % 31, 60, seed() + static_cast<std::uint64_t>(i)).take<integer>(), i % 2 == 0 ? options{} : other_choice), 5, c);
+    check(try_skeleton(ball(10 + i % 31, 60, seed() + static_cast<std::uint64_t>(i)).take<integer>(), i % 2 == 0 ? skeleton_options{} : other_choice),
+          5, c);
   }
   c.print("balls");
   EXPECT_GT(c.solids, solids / 2);
@@ -96,7 +97,7 @@ TEST(SelfIntersection, ShakenVoxels) {
     SCOPED_TRACE("solid " + std::to_string(i) + ", OSTEON_ORACLE_SEED=" + std::to_string(seed()));
     const auto stream = seed() + static_cast<std::uint64_t>(i);
     const auto v = models::random_voxels({2 + i % 2, 2, 2 + i / 2 % 2}, 50, stream);
-    check(try_skeleton(shaken(v.surface(), 10'000, 1500, stream), i % 2 == 0 ? options{} : other_choice), 5, c);
+    check(try_skeleton(shaken(v.surface(), 10'000, 1500, stream), i % 2 == 0 ? skeleton_options{} : other_choice), 5, c);
   }
   c.print("shaken voxels");
   EXPECT_GT(c.solids, solids / 2);

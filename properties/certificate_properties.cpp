@@ -18,7 +18,7 @@ namespace osteon::properties {
 namespace {
 
 template <kernel K>
-void certify(const char* name, const K& k, const solid<integer>& s, const options& o) {
+void certify(const char* name, const K& k, const solid<integer>& s, const skeleton_options& o) {
   require(name, [&]() -> std::string {
     const auto broken = verify(k, s.boundary, straight_skeleton(k, s.boundary, o));
     if (!broken) return "";
@@ -27,7 +27,7 @@ void certify(const char* name, const K& k, const solid<integer>& s, const option
 }
 
 RC_GTEST_PROP(certificate, every_skeleton_is_certified, ()) {
-  const options o = *gen::any_options();
+  const skeleton_options o = *gen::any_options();
   const auto s = *rc::gen::oneOf(gen::unweighted(), gen::unweighted(), gen::unweighted(), gen::unweighted(), gen::weighted(gen::convex()),
                                  gen::weighted(gen::stars()));
   RC_TAG(s.kind);

@@ -62,7 +62,8 @@ std::string incidences(const placed_skeleton& s) {
   for (int i = 0; i < static_cast<int>(raw.sheets.size()); ++i) {
     const auto& x = raw.sheets[i];
     if (std::set<int>(x.arcs.begin(), x.arcs.end()) != of_arcs[i]) return "a sheet lists its arcs" + at("sheet", i);
-    if (raw.sheets[x.polygon].polygon != x.polygon || raw.sheets[x.polygon].facets != x.facets) return "a polygon represents itself" + at("sheet", i);
+    if (raw.sheets[x.representative].representative != x.representative || raw.sheets[x.representative].facets != x.facets)
+      return "a polygon represents itself" + at("sheet", i);
     for (const plane_id f : x.facets)
       if (std::count(raw.cells[f].begin(), raw.cells[f].end(), i) != 1) return "a sheet bounds the cells of its two facets" + at("sheet", i);
   }

@@ -29,7 +29,7 @@
 namespace osteon {
 
 /// Numbers of the enumerators.
-inline void showValue(const options& o, std::ostream& out) {
+inline void showValue(const skeleton_options& o, std::ostream& out) {
   out << "prefer " << static_cast<int>(o.prefer) << ", saddle " << static_cast<int>(o.saddle);
 }
 
@@ -111,9 +111,9 @@ rc::Gen<std::vector<T>> list(std::size_t least, std::size_t most, const rc::Gen<
 }
 
 /// Any preference and any saddle rule.
-inline rc::Gen<options> any_options() {
+inline rc::Gen<skeleton_options> any_options() {
   return rc::gen::map(rc::gen::pair(between(0, 3), between(0, 3)), [](const std::pair<long, long>& o) {
-    return options{static_cast<split_preference>(o.first), static_cast<saddle_rule>(o.second)};
+    return skeleton_options{static_cast<split_preference>(o.first), static_cast<saddle_rule>(o.second)};
   });
 }
 
@@ -406,11 +406,11 @@ inline rc::Gen<specimen> weighted(const rc::Gen<specimen>& g) {
 }
 
 /// Solids in general position: no predicate is zero.
-inline rc::Gen<specimen> general(const rc::Gen<specimen>& g, const options& o = {}) {
+inline rc::Gen<specimen> general(const rc::Gen<specimen>& g, const skeleton_options& o = {}) {
   return rc::gen::suchThat(g, [o](const specimen& s) { return in_general_position(*s.solid, o); });
 }
 
-inline rc::Gen<specimen> unweighted_general(const options& o = {}) {
+inline rc::Gen<specimen> unweighted_general(const skeleton_options& o = {}) {
   return general(rc::gen::oneOf(hulls(1000, 8), cut_solids(), stars(), stars(8), cones(), landscapes(), rings(), hollow_stars(), pairs_of_stars()),
                  o);
 }

@@ -114,7 +114,7 @@ std::string correspondence(const solid<integer>& original, const skeleton& a, co
   const auto polygons = [](const skeleton& x, const auto& facets, const auto& arc) {
     std::map<int, description> by_polygon;
     for (const auto& sheet : x.sheets) {
-      auto& [names, border] = by_polygon[sheet.polygon];
+      auto& [names, border] = by_polygon[sheet.representative];
       names = facets(sheet.facets);
       for (const int i : sheet.arcs) border.insert(arc(i));
     }
@@ -129,8 +129,8 @@ std::string correspondence(const solid<integer>& original, const skeleton& a, co
 }
 
 // Among trees with equally many convex edges the numbering decides; volumes differ in general position.
-rc::Gen<options> by_volume() {
-  return rc::gen::map(gen::any_options(), [](options o) {
+rc::Gen<skeleton_options> by_volume() {
+  return rc::gen::map(gen::any_options(), [](skeleton_options o) {
     const bool least = o.prefer == split_preference::reflex || o.prefer == split_preference::min_volume;
     o.prefer = least ? split_preference::min_volume : split_preference::max_volume;
     return o;

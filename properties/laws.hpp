@@ -33,7 +33,7 @@ void require(const std::string& kernel, Law law) {
 
 /// A law of placed skeletons, for every exact kernel.
 template <class Law>
-void for_every_kernel(const specimen& s, Law law, const options& o = {}) {
+void for_every_kernel(const specimen& s, Law law, const skeleton_options& o = {}) {
   RC_TAG(s.kind);
   for (const run& r : distinct(run_all(*s.solid, o))) require(r.kernel, [&] { return law(placed_skeleton(*s.solid, r)); });
 }

@@ -133,7 +133,7 @@ def examine(fault):
         if file:
             text = (tree / file).read_text()
             if text.count(old) != 1:
-                return False, f"{name}: the place is not there once; cure: bring this script up to date"
+                return False, f"{name}: the place is not there once; hint: bring this script up to date"
             (tree / file).write_text(text.replace(old, new))
         try:
             by = failing_program(tree, programs)

@@ -161,7 +161,7 @@ class placed_skeleton {
   void make_faces(const std::vector<sign>& orientations) {
     std::map<int, int> convexity;  // by representative: 1 convex, -1 reflex
     const auto face_of = [&](int sheet, bool convex) -> face& {
-      const int id = raw.sheets[sheet].polygon;
+      const int id = raw.sheets[sheet].representative;
       const auto [known, fresh] = convexity.emplace(id, convex ? 1 : -1);
       if (known->second != (convex ? 1 : -1)) fail("an edge stays convex or reflex while it lives: sheet " + std::to_string(id));
       face& f = faces[id];
@@ -205,7 +205,7 @@ class placed_skeleton {
       });
       if (next == sheets.end()) fail("the sheets of an input edge lead from one of its facets to the other");
       const auto& s = raw.sheets[*next];
-      const auto at = faces.find(s.polygon);
+      const auto at = faces.find(s.representative);
       if (at == faces.end()) fail("a sheet has arcs");
       const bool along = (s.facets[0] == left) == at->second.convex;
       at->second.base.push_back({e.ends[along ? 0 : 1], e.ends[along ? 1 : 0]});

@@ -16,7 +16,7 @@ namespace {
 using planes = std::vector<moving_plane<integer>>;
 
 template <kernel K>
-run run_by(const char* name, const K& k, const boundary& b, const options& o) {
+run run_by(const char* name, const K& k, const boundary& b, const skeleton_options& o) {
   run r{name, straight_skeleton(k, b, o), {}};
   for (const auto& a : r.raw.arcs) r.orientations.push_back(k.orientation(a.planes[0], a.planes[1], a.planes[2]));
   return r;
@@ -27,25 +27,25 @@ auto rational_filtered(const planes& p) { return filtered(std::span<const moving
 
 }  // namespace
 
-run run_default(const solid<integer>& s, const options& o) {
+run run_default(const solid<integer>& s, const skeleton_options& o) {
   return run_by("perturbed<filtered<sqrt>>", perturbed(sqrt_filtered(s.planes)), s.boundary, o);
 }
 
-std::vector<run> run_rational(const planes& p, const boundary& b, const options& o) {
+std::vector<run> run_rational(const planes& p, const boundary& b, const skeleton_options& o) {
   std::vector<run> result;
   result.push_back(run_by("perturbed<filtered<rational>>", perturbed(rational_filtered(p)), b, o));
   result.push_back(run_by("perturbed<rational>", perturbed(make_rational_kernel(p)), b, o));
   return result;
 }
 
-std::vector<run> run_all(const solid<integer>& s, const options& o) {
+std::vector<run> run_all(const solid<integer>& s, const skeleton_options& o) {
   std::vector<run> result = run_rational(s.planes, s.boundary, o);
   result.insert(result.begin(), run_by("perturbed<sqrt>", perturbed(make_sqrt_kernel(s.planes)), s.boundary, o));
   result.insert(result.begin(), run_default(s, o));
   return result;
 }
 
-std::vector<run> run_unperturbed(const solid<integer>& s, const options& o) {
+std::vector<run> run_unperturbed(const solid<integer>& s, const skeleton_options& o) {
   std::vector<run> result;
   result.push_back(run_by("filtered<sqrt>", sqrt_filtered(s.planes), s.boundary, o));
   result.push_back(run_by("sqrt", make_sqrt_kernel(s.planes), s.boundary, o));
@@ -54,7 +54,7 @@ std::vector<run> run_unperturbed(const solid<integer>& s, const options& o) {
   return result;
 }
 
-bool in_general_position(const solid<integer>& s, const options& o) {
+bool in_general_position(const solid<integer>& s, const skeleton_options& o) {
   try {
     run_by("", sqrt_filtered(s.planes), s.boundary, o);
     return true;
@@ -83,7 +83,8 @@ std::string difference(const skeleton& a, const skeleton& b) {
   for (std::size_t i = 0; i < a.sheets.size(); ++i) {
     const auto& x = a.sheets[i];
     const auto& y = b.sheets[i];
-    if (x.facets != y.facets || x.input_edge != y.input_edge || x.polygon != y.polygon || x.arcs != y.arcs) return "sheet " + std::to_string(i);
+    if (x.facets != y.facets || x.input_edge != y.input_edge || x.representative != y.representative || x.arcs != y.arcs)
+      return "sheet " + std::to_string(i);
   }
   if (a.cells != b.cells) return "cells";
   if (a.events != b.events || a.ambiguous != b.ambiguous) return "counts of events";

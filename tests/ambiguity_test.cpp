@@ -92,7 +92,7 @@ TEST(Explore, SkeletonsAreCertifiedAndDiffer) {
     std::set<std::vector<quadruple>> seen;
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
       SCOPED_TRACE("seed " + std::to_string(seed));
-      options o;
+      skeleton_options o;
       o.explore = seed;
       const skeleton raw = straight_skeleton(k, s.boundary, o);
       EXPECT_FALSE(verify(k, s.boundary, raw));

@@ -32,13 +32,13 @@ const std::map<std::string, input_fault> faults = {
     {"repeated_point", input_fault::repeated_point},
     {"unused_point", input_fault::unused_point},
     {"not_closed", input_fault::not_closed},
-    {"crowded_edge", input_fault::crowded_edge},
+    {"crowded_edge", input_fault::non_manifold_edge},
     {"inconsistent", input_fault::inconsistent},
-    {"inside_out", input_fault::inside_out},
+    {"inside_out", input_fault::inverted},
     {"zero_area", input_fault::zero_area},
     {"not_planar", input_fault::not_planar},
     {"folded", input_fault::folded},
-    {"two_fans", input_fault::two_fans},
+    {"two_fans", input_fault::non_manifold_vertex},
     {"self_intersection", input_fault::self_intersection},
 };
 
@@ -52,7 +52,7 @@ input_fault fault_of(const std::string& text) {
     make_solid(read(text));
   } catch (const input_error& e) {
     EXPECT_NE(std::string(e.what()).find("text.obj"), std::string::npos) << e.what();
-    EXPECT_NE(std::string(e.what()).find("; cure: "), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("; hint: "), std::string::npos) << e.what();
     return e.fault;
   }
   ADD_FAILURE() << "accepted";
@@ -86,7 +86,7 @@ TEST(BadInput, EveryFileIsRefusedWithItsOwnMessage) {
       EXPECT_EQ(static_cast<int>(e.fault), static_cast<int>(faults.at(fault))) << what;
       EXPECT_NE(what.find(substring), std::string::npos) << what;
       EXPECT_EQ(what.rfind(name + ":", 0), 0U) << what;
-      EXPECT_NE(what.find("; cure: "), std::string::npos) << what;
+      EXPECT_NE(what.find("; hint: "), std::string::npos) << what;
       const auto [other, fresh] = messages.emplace(what, name);
       EXPECT_TRUE(fresh) << "same message as " << other->second;
       seen.insert(e.fault);

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace osteon::planar {
+namespace osteon::plane {
 namespace {
 
 using dice = std::mt19937_64;
@@ -79,4 +79,4 @@ TEST(BoxTree, FindsWhatOverlaps) {
 }
 
 }  // namespace
-}  // namespace osteon::planar
+}  // namespace osteon::plane

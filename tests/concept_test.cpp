@@ -257,10 +257,10 @@ static_assert(kernel<orientation_at_is_int> && !graded_kernel<orientation_at_is_
 
 template class splitter<weakest>;
 template class propagation<weakest>;
-template skeleton straight_skeleton<weakest>(const weakest&, const boundary&, const options&);
+template skeleton straight_skeleton<weakest>(const weakest&, const boundary&, const skeleton_options&);
 template class splitter<archetype<false>>;
 template class propagation<archetype<false>>;
-template skeleton straight_skeleton<archetype<false>>(const archetype<false>&, const boundary&, const options&);
+template skeleton straight_skeleton<archetype<false>>(const archetype<false>&, const boundary&, const skeleton_options&);
 
 namespace {
 

@@ -20,7 +20,7 @@ namespace {
 
 using counts = std::array<std::size_t, 3>;
 
-counts contracted(const mesh<integer>& m, const options& o = {}) {
+counts contracted(const mesh<integer>& m, const skeleton_options& o = {}) {
   const auto s = make_solid(m);
   const auto k = default_kernel(s);
   const auto c = contract(k.base(), s.boundary, straight_skeleton(k, s.boundary, o));

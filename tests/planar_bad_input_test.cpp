@@ -17,7 +17,7 @@
 #include "osteon/kernel/integer.hpp"
 #include "osteon/models/polyhedra.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 namespace {
 
 const std::filesystem::path folder = std::filesystem::path(OSTEON_MODELS).parent_path() / "planar_bad_input";
@@ -49,7 +49,7 @@ input_fault fault_of(const std::string& text, const std::string& name) {
     read(text, name);
   } catch (const input_error& e) {
     EXPECT_EQ(std::string(e.what()).rfind(name + ":", 0), 0U) << e.what();
-    EXPECT_NE(std::string(e.what()).find("; cure: "), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("; hint: "), std::string::npos) << e.what();
     return e.fault;
   }
   ADD_FAILURE() << "accepted";
@@ -87,7 +87,7 @@ TEST(PlanarBadInput, EveryFileIsRefusedWithItsOwnMessage) {
       EXPECT_EQ(static_cast<int>(e.fault), static_cast<int>(faults.at(fault))) << what;
       EXPECT_NE(what.find(substring), std::string::npos) << what;
       EXPECT_EQ(what.rfind(name + ":", 0), 0U) << what;
-      EXPECT_NE(what.find("; cure: "), std::string::npos) << what;
+      EXPECT_NE(what.find("; hint: "), std::string::npos) << what;
       const auto [other, fresh] = messages.emplace(what, name);
       EXPECT_TRUE(fresh) << "same message as " << other->second;
       seen.insert(e.fault);
@@ -196,7 +196,7 @@ TEST(PlanarBadInput, DamagedTexts) {
         read(damaged, d.between(0, 9) == 0 ? "nameless" : name);
         ++accepted;
       } catch (const input_error& e) {
-        EXPECT_NE(std::string(e.what()).find("; cure: "), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("; hint: "), std::string::npos) << e.what();
       }
     }
   }
@@ -204,4 +204,4 @@ TEST(PlanarBadInput, DamagedTexts) {
 }
 
 }  // namespace
-}  // namespace osteon::planar
+}  // namespace osteon::plane

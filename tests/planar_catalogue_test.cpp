@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace osteon::planar::local {
+namespace osteon::plane::local {
 namespace {
 
 // All states before with all lines involved, found anew from the states themselves.
@@ -146,4 +146,4 @@ TEST(planar_catalogue, every_event_is_looked_for) {
 }
 
 }  // namespace
-}  // namespace osteon::planar::local
+}  // namespace osteon::plane::local

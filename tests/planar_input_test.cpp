@@ -16,7 +16,7 @@
 #include "osteon/kernel/integer.hpp"
 #include "osteon/models/polyhedra.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 namespace {
 
 using models::dice;
@@ -234,11 +234,11 @@ verdict judge(const plain& p) {
 // ---- what holds for every polygon that make_polygon returns
 
 void check_polygon(const plain& in, const polygon<integer>& p, const verdict& v) {
-  const int n = static_cast<int>(p.outline.next.size());
-  ASSERT_EQ(p.outline.line.size(), static_cast<std::size_t>(n));
+  const int n = static_cast<int>(p.boundary.next.size());
+  ASSERT_EQ(p.boundary.line.size(), static_cast<std::size_t>(n));
   ASSERT_EQ(p.points.size(), static_cast<std::size_t>(n));
   ASSERT_EQ(p.input_points.size(), static_cast<std::size_t>(n));
-  ASSERT_EQ(p.outline.lines, static_cast<int>(p.lines.size()));
+  ASSERT_EQ(p.boundary.lines, static_cast<int>(p.lines.size()));
   std::vector<point> all_input;
   for (const auto& r : in) all_input.insert(all_input.end(), r.points.begin(), r.points.end());
   std::vector<point> at;
@@ -248,27 +248,27 @@ void check_polygon(const plain& in, const polygon<integer>& p, const verdict& v)
   }
   std::vector<int> previous(static_cast<std::size_t>(n), -1);
   for (int i = 0; i < n; ++i) {
-    ASSERT_GE(p.outline.next[i], 0);
-    ASSERT_LT(p.outline.next[i], n);
-    ASSERT_EQ(previous[p.outline.next[i]], -1);
-    previous[p.outline.next[i]] = i;
+    ASSERT_GE(p.boundary.next[i], 0);
+    ASSERT_LT(p.boundary.next[i], n);
+    ASSERT_EQ(previous[p.boundary.next[i]], -1);
+    previous[p.boundary.next[i]] = i;
   }
   // Lines.
   std::set<moving_line<integer>> different(p.lines.begin(), p.lines.end());
   EXPECT_EQ(different.size(), p.lines.size());
   int lines = 0;
   for (int i = 0; i < n; ++i) {
-    EXPECT_LE(p.outline.line[i], lines);
-    lines = std::max(lines, p.outline.line[i] + 1);
-    const auto& l = p.lines[p.outline.line[i]];
+    EXPECT_LE(p.boundary.line[i], lines);
+    lines = std::max(lines, p.boundary.line[i] + 1);
+    const auto& l = p.lines[p.boundary.line[i]];
     const auto& a = p.points[i];
-    const auto& b = p.points[p.outline.next[i]];
+    const auto& b = p.points[p.boundary.next[i]];
     EXPECT_EQ(gcd(l.n[0], l.n[1]), 1);
     EXPECT_EQ(l.n[0] * (b[0] - a[0]) + l.n[1] * (b[1] - a[1]), 0);
     EXPECT_GT(l.n[0] * (b[1] - a[1]) - l.n[1] * (b[0] - a[0]), 0);
     EXPECT_EQ(l.n[0] * a[0] + l.n[1] * a[1], l.d);
     // Its middle lies on an edge of the input with this weight.
-    const point middle = {at[i][0] + at[p.outline.next[i]][0], at[i][1] + at[p.outline.next[i]][1]};
+    const point middle = {at[i][0] + at[p.boundary.next[i]][0], at[i][1] + at[p.boundary.next[i]][1]};
     bool found = false;
     for (const auto& r : in)
       for (std::size_t k = 0; k < r.points.size(); ++k) {
@@ -279,7 +279,7 @@ void check_polygon(const plain& in, const polygon<integer>& p, const verdict& v)
       }
     EXPECT_TRUE(found) << "edge " << i;
   }
-  EXPECT_EQ(lines, p.outline.lines);
+  EXPECT_EQ(lines, p.boundary.lines);
   // Boundaries.
   long twice_area = 0;
   int outer = 0;
@@ -289,10 +289,10 @@ void check_polygon(const plain& in, const polygon<integer>& p, const verdict& v)
     if (seen[i]) continue;
     long area = 0;
     int length = 0;
-    for (int k = i; !seen[k]; k = p.outline.next[k]) {
+    for (int k = i; !seen[k]; k = p.boundary.next[k]) {
       seen[k] = true;
       ++length;
-      const auto& b = at[p.outline.next[k]];
+      const auto& b = at[p.boundary.next[k]];
       area += at[k][0] * b[1] - at[k][1] * b[0];
     }
     EXPECT_GE(length, 3);
@@ -307,13 +307,13 @@ void check_polygon(const plain& in, const polygon<integer>& p, const verdict& v)
   // Corners, and nothing of the boundary inside of their sectors.
   for (int i = 0; i < n; ++i) {
     const point& before = at[previous[i]];
-    const point& after = at[p.outline.next[i]];
-    EXPECT_NE(p.outline.line[i], p.outline.line[previous[i]]);
+    const point& after = at[p.boundary.next[i]];
+    EXPECT_NE(p.boundary.line[i], p.boundary.line[previous[i]]);
     EXPECT_FALSE(turn(before, at[i], after) == 0 && along(at[i], before, after) > 0);
     for (int j = 0; j < n; ++j) {
       if (j == i) continue;
       const point& c = at[j];
-      const point& d = at[p.outline.next[j]];
+      const point& d = at[p.boundary.next[j]];
       if (c == at[i]) {
         EXPECT_FALSE(between(at[i], after, before, at[previous[j]]));
         EXPECT_FALSE(between(at[i], after, before, d));
@@ -473,7 +473,7 @@ TEST(PlanarInput, AffineMapsChangeNothing) {
       for (long i = d.between(3, r == 0 ? 5 : 4); i > 0; --i) ring.points.push_back({d.between(r > 0, 6 - (r > 0)), d.between(r > 0, 6 - (r > 0))});
       if (r == 0 && d.between(0, 1) == 0) ring.points = {{0, 0}, {6, 0}, {6, 6}, {0, 6}};
     }
-    const auto outcome = [](planar::rings<integer> r) -> std::pair<int, polygon<integer>> {
+    const auto outcome = [](plane::rings<integer> r) -> std::pair<int, polygon<integer>> {
       try {
         return {-1, make_polygon(std::move(r))};
       } catch (const input_error& e) {
@@ -501,13 +501,13 @@ TEST(PlanarInput, AffineMapsChangeNothing) {
         }
       const auto actual = outcome(mapped);
       ASSERT_EQ(actual.first, expected.first) << bits << '\n' << print(in);
-      EXPECT_EQ(actual.second.outline.next, expected.second.outline.next) << bits << '\n' << print(in);
-      EXPECT_EQ(actual.second.outline.line, expected.second.outline.line) << bits << '\n' << print(in);
+      EXPECT_EQ(actual.second.boundary.next, expected.second.boundary.next) << bits << '\n' << print(in);
+      EXPECT_EQ(actual.second.boundary.line, expected.second.boundary.line) << bits << '\n' << print(in);
       EXPECT_EQ(actual.second.input_points, expected.second.input_points) << bits << '\n' << print(in);
       const auto& p = actual.second;
       for (std::size_t i = 0; i < p.points.size(); ++i)
-        for (const auto& at : {p.points[i], p.points[p.outline.next[i]]}) {
-          const auto& l = p.lines[p.outline.line[i]];
+        for (const auto& at : {p.points[i], p.points[p.boundary.next[i]]}) {
+          const auto& l = p.lines[p.boundary.line[i]];
           ASSERT_EQ(l.n[0] * at[0] + l.n[1] * at[1], l.d) << bits << '\n' << print(in);
         }
     }
@@ -533,8 +533,8 @@ std::vector<point> input_places(const polygon<integer>& p) {
 
 TEST(PlanarInput, Square) {
   const auto p = read("1 1\n3 1\n3 3\n1 3\n");
-  EXPECT_EQ(p.outline.next, (std::vector<int>{1, 2, 3, 0}));
-  EXPECT_EQ(p.outline.line, (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(p.boundary.next, (std::vector<int>{1, 2, 3, 0}));
+  EXPECT_EQ(p.boundary.line, (std::vector<int>{0, 1, 2, 3}));
   EXPECT_EQ(p.shift, (std::array<integer, 2>{2, 2}));
   EXPECT_EQ(p.points[0], (std::array<integer, 2>{-1, -1}));
   EXPECT_EQ(p.lines[0], (moving_line<integer>{{0, -1}, 1, 1}));
@@ -546,16 +546,16 @@ TEST(PlanarInput, ScalesAndWeightsComeBack) {
   const auto p = read("0.5 0 0.25\n300 0 1e1 # steep\n300 20.05\n.5 20.05 0\n");
   EXPECT_EQ(p.ten, -2);
   EXPECT_EQ(p.weight_ten, -2);
-  EXPECT_EQ(p.lines[p.outline.line[0]].weight, 25);
-  EXPECT_EQ(p.lines[p.outline.line[1]].weight, 1000);
-  EXPECT_EQ(p.lines[p.outline.line[2]].weight, 100);
-  EXPECT_EQ(p.lines[p.outline.line[3]].weight, 0);
+  EXPECT_EQ(p.lines[p.boundary.line[0]].weight, 25);
+  EXPECT_EQ(p.lines[p.boundary.line[1]].weight, 1000);
+  EXPECT_EQ(p.lines[p.boundary.line[2]].weight, 100);
+  EXPECT_EQ(p.lines[p.boundary.line[3]].weight, 0);
   EXPECT_EQ(p.points[1][0] + p.shift[0], 30000);
   const auto q = make_polygon(make_rings<integer>({{{0, 0}, {0.5, 0}, {0, 0x1p-40}}}, {{0.125, 3, 0}}));
   EXPECT_EQ(q.two, -40);
   EXPECT_EQ(q.points[1][0] + q.shift[0], integer(1) << 39);
   EXPECT_EQ(q.weight_two, -3);
-  EXPECT_EQ(q.lines[q.outline.line[1]].weight, 24);
+  EXPECT_EQ(q.lines[q.boundary.line[1]].weight, 24);
 }
 
 TEST(PlanarInput, RepairsAreNamed) {
@@ -565,37 +565,37 @@ TEST(PlanarInput, RepairsAreNamed) {
   EXPECT_EQ(p.repairs[1], "2 points on straight sides were removed, the first: a.xy:5: ring 1, point 5");
   EXPECT_EQ(p.repairs[2], "1 clockwise outer ring and 1 counter-clockwise hole were reversed, the first: ring 1");
   EXPECT_EQ(p.input_points, (std::vector<int>{0, 1, 3, 5, 7, 8, 9}));
-  EXPECT_EQ(p.outline.next, (std::vector<int>{3, 0, 1, 2, 6, 4, 5}));
+  EXPECT_EQ(p.boundary.next, (std::vector<int>{3, 0, 1, 2, 6, 4, 5}));
   EXPECT_EQ(p.holes, 1);
 }
 
 TEST(PlanarInput, WeightsStayWithTheirEdges) {
   // Clockwise, with a repeated point whose first weight belongs to no edge.
   const auto p = read("0 0 1\n0 10 9\n0 10 2\n10 10 3\n10 0 4\n");
-  EXPECT_EQ(p.outline.next, (std::vector<int>{3, 0, 1, 2}));
+  EXPECT_EQ(p.boundary.next, (std::vector<int>{3, 0, 1, 2}));
   std::vector<long> weights;
-  for (const int l : p.outline.line) weights.push_back(static_cast<long>(p.lines[l].weight));
+  for (const int l : p.boundary.line) weights.push_back(static_cast<long>(p.lines[l].weight));
   EXPECT_EQ(weights, (std::vector<long>{4, 1, 2, 3}));
 }
 
 TEST(PlanarInput, StraightCornersBetweenDifferentWeightsStay) {
   const auto p = read("0 0 1\n5 0 2\n10 0 1\n10 10 1\n5 10 1\n0 10\n");
   EXPECT_EQ(p.input_points, (std::vector<int>{0, 1, 2, 3, 5}));
-  EXPECT_EQ(p.outline.lines, 5);
+  EXPECT_EQ(p.boundary.lines, 5);
 }
 
 TEST(PlanarInput, EdgesOnOneLineShareIt) {
   const auto p = read("0 0\n1 0\n1 1\n2 1\n2 0\n3 0\n3 2\n0 2\n");
-  EXPECT_EQ(p.outline.line[0], p.outline.line[4]);
-  EXPECT_NE(p.outline.line[1], p.outline.line[5]);
-  EXPECT_EQ(p.outline.lines, 7);
+  EXPECT_EQ(p.boundary.line[0], p.boundary.line[4]);
+  EXPECT_NE(p.boundary.line[1], p.boundary.line[5]);
+  EXPECT_EQ(p.boundary.lines, 7);
   const auto q = read("0 0 1\n1 0\n1 1\n2 1\n2 0 3\n3 0\n3 2\n0 2\n");
-  EXPECT_EQ(q.outline.lines, 8);
+  EXPECT_EQ(q.boundary.lines, 8);
 }
 
 TEST(PlanarInput, HoleOnCorner) {
   const auto p = read(square + "\n0 0\n2 3\n3 2\n");
-  EXPECT_EQ(p.outline.next, (std::vector<int>{1, 2, 3, 4, 5, 6, 0}));
+  EXPECT_EQ(p.boundary.next, (std::vector<int>{1, 2, 3, 4, 5, 6, 0}));
   EXPECT_EQ(p.holes, 0);
   EXPECT_EQ(p.points.size(), 7U);
   ASSERT_EQ(p.repairs.size(), 1U);
@@ -605,9 +605,9 @@ TEST(PlanarInput, HoleOnCorner) {
 TEST(PlanarInput, HoleOnSide) {
   const auto p = read(square + "\n5 0\n4 3\n6 3\n");
   EXPECT_EQ(input_places(p), (std::vector<point>{{0, 0}, {5, 0}, {10, 0}, {10, 10}, {0, 10}, {5, 0}, {4, 3}, {6, 3}}));
-  EXPECT_EQ(p.outline.next, (std::vector<int>{5, 2, 3, 4, 0, 6, 7, 1}));
-  EXPECT_EQ(p.outline.line[0], p.outline.line[1]);
-  EXPECT_EQ(p.outline.lines, 7);
+  EXPECT_EQ(p.boundary.next, (std::vector<int>{5, 2, 3, 4, 0, 6, 7, 1}));
+  EXPECT_EQ(p.boundary.line[0], p.boundary.line[1]);
+  EXPECT_EQ(p.boundary.lines, 7);
   EXPECT_EQ(p.input_points, (std::vector<int>{0, 4, 1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(p.holes, 0);
   EXPECT_EQ(p.repairs.at(0),
@@ -616,7 +616,7 @@ TEST(PlanarInput, HoleOnSide) {
 
 TEST(PlanarInput, TouchingFromOutsideCutsNothing) {
   const auto p = read("MULTIPOLYGON (((0 0, 10 0, 10 10, 0 10, 0 0)), ((10 5, 12 4, 12 6)))", "a.wkt");
-  EXPECT_EQ(p.outline.next, (std::vector<int>{1, 2, 3, 0, 5, 6, 4}));
+  EXPECT_EQ(p.boundary.next, (std::vector<int>{1, 2, 3, 0, 5, 6, 4}));
   EXPECT_EQ(p.parts, 2);
   EXPECT_EQ(p.repairs.size(), 1U);
 }
@@ -628,7 +628,7 @@ TEST(PlanarInput, CutsFollowTheEdge) {
     const auto at = input_places(p);
     int turns = 0;
     for (int i = 0; i < static_cast<int>(at.size()); ++i) {
-      const point& b = at[p.outline.next[i]];
+      const point& b = at[p.boundary.next[i]];
       turns += at[i][1] == b[1] && at[i][1] % 10 == 0 ? 1 : 0;
       if (at[i][1] == 0 && b[1] == 0) {
         EXPECT_LT(at[i][0], b[0]);
@@ -645,7 +645,7 @@ TEST(PlanarInput, CutsFollowTheEdge) {
 TEST(PlanarInput, TouchedFromOutsideBetweenDifferentWeights) {
   auto r = exact({{{{0, 0}, {5, 0}, {10, 0}, {10, 10}, {0, 10}}, 0, {1, 2, 1, 1, 1}}, {{{5, 0}, {4, -1}, {6, -1}}, 1, {}}});
   const auto p = make_polygon(r);
-  EXPECT_EQ(p.outline.next, (std::vector<int>{1, 2, 3, 4, 0, 6, 7, 5}));
+  EXPECT_EQ(p.boundary.next, (std::vector<int>{1, 2, 3, 4, 0, 6, 7, 5}));
   r.all[0].weights[1] = {1, 0, 0};
   EXPECT_EQ(make_polygon(r).points.size(), 7U);
 }
@@ -682,7 +682,7 @@ TEST(PlanarInput, AllFormatsAgree) {
     EXPECT_TRUE(p.repairs.empty());
     const auto q = read("0 0\n1.5 0\n1.5 2\n0 2\n\n0.5 0.5\n0.5 1\n1 1\n");
     EXPECT_EQ(p.points, q.points);
-    EXPECT_EQ(p.outline.next, q.outline.next);
+    EXPECT_EQ(p.boundary.next, q.boundary.next);
     EXPECT_EQ(p.ten, -1);
   }
 }
@@ -714,4 +714,4 @@ TEST(PlanarInput, IslandsInHoles) {
 }
 
 }  // namespace
-}  // namespace osteon::planar
+}  // namespace osteon::plane

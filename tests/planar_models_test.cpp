@@ -18,7 +18,7 @@
 namespace osteon::test {
 namespace {
 
-namespace models = planar::models;
+namespace models = plane::models;
 using models::region;
 
 std::size_t vertices(const region& r) {

@@ -21,7 +21,7 @@
 #include "osteon/plane/propagate.hpp"
 #include "planar_polygons.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 namespace {
 
 using models::region;
@@ -29,10 +29,10 @@ using models::region;
 skeleton skeleton_of(const polygon<integer>& p, bool outside = false) {
   const std::span<const moving_line<integer>> lines(p.lines);
   const auto k = perturbed(filtered(lines, make_sqrt_kernel(lines)));
-  const motion m(lines, p.points);
-  planar::options how;
+  const vertex_enclosures m(lines, p.points);
+  plane::skeleton_options how;
   how.outside = outside;
-  return propagation(k, p.outline, m, how).run();
+  return propagation(k, p.boundary, m, how).run();
 }
 
 struct case_of {
@@ -73,7 +73,7 @@ double sinking(const case_of& c, const offset_polygon<double>& p) {
     for (std::size_t i = 0; i < r.points.size(); ++i) {
       const auto& a = r.points[i];
       const auto& b = r.points[(i + 1) % r.points.size()];
-      sum += std::hypot(b[0] - a[0], b[1] - a[1]) * scale * c.p.lines[c.p.outline.line[r.edges[i]]].weight.convert_to<double>();
+      sum += std::hypot(b[0] - a[0], b[1] - a[1]) * scale * c.p.lines[c.p.boundary.line[r.edges[i]]].weight.convert_to<double>();
     }
   return sum;
 }
@@ -215,10 +215,10 @@ TEST(planar_offset, edges_of_no_length_are_left_out) {
   EXPECT_EQ(c.o.exactly_at(rational(59, 10)).rings.at(0).points.size(), 5U);
   EXPECT_EQ(points_of(c.o.exactly_at(6)), exact({{6, 6}, {30, 6}, {30, 30}, {6, 30}}));
   const unit_lines lines(c.p.lines, c.p.points);
-  const auto w = wavefront_at(c.s, c.p.outline.line, just_before(c.p.lines, lines, 6));
+  const auto w = wavefront_at(c.s, c.p.boundary.line, just_before(c.p.lines, lines, 6));
   ASSERT_EQ(w.rings.size(), 1U);
   EXPECT_EQ(w.rings[0].size, 4);
-  EXPECT_TRUE(wavefront_at(c.s, c.p.outline.line, just_before(c.p.lines, lines, 18)).rings.empty());
+  EXPECT_TRUE(wavefront_at(c.s, c.p.boundary.line, just_before(c.p.lines, lines, 18)).rings.empty());
 }
 
 // ---- outside
@@ -294,7 +294,7 @@ TEST(planar_offset, places_in_doubles) {
       SCOPED_TRACE("ten " + std::to_string(ten) + ", far " + std::to_string(far) + ", seed " + std::to_string(seed));
       const case_of c(r);
       const locator exact(c.p.lines);
-      const units u(c.p);
+      const input_scale u(c.p);
       const double size = rational(n * 1000000 * power_of(ten, 0)).convert_to<double>();
       for (const auto& node : c.s.nodes) {
         if (node.vertex >= 0) continue;
@@ -418,4 +418,4 @@ INSTANTIATE_TEST_SUITE_P(all, planar_offset_laws, testing::ValuesIn(test::shapes
                          [](const auto& p) { return test::name_of(p.param.first) + "_" + test::name_of(p.param.second); });
 
 }  // namespace
-}  // namespace osteon::planar
+}  // namespace osteon::plane

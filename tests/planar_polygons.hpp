@@ -23,18 +23,18 @@ namespace osteon::test {
 
 __extension__ using wide = __int128;  // exact for the determinants of coordinates up to 2^61
 
-inline int turn_sign(const planar::models::point& p, const planar::models::point& q, const planar::models::point& r) {
+inline int turn_sign(const plane::models::point& p, const plane::models::point& q, const plane::models::point& r) {
   const wide d = wide(q[0] - p[0]) * (r[1] - p[1]) - wide(q[1] - p[1]) * (r[0] - p[0]);
   return (d > 0) - (d < 0);
 }
 
 /// Whether r, on the line pq, lies between p and q or on one of them.
-inline bool between(const planar::models::point& p, const planar::models::point& q, const planar::models::point& r) {
+inline bool between(const plane::models::point& p, const plane::models::point& q, const plane::models::point& r) {
   return std::min(p[0], q[0]) <= r[0] && r[0] <= std::max(p[0], q[0]) && std::min(p[1], q[1]) <= r[1] && r[1] <= std::max(p[1], q[1]);
 }
 
 /// Twice the area to the left of a ring.
-inline wide doubled_area(const planar::models::ring& points) {
+inline wide doubled_area(const plane::models::ring& points) {
   wide sum = 0;
   for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++)
     sum += wide(points[j][0]) * points[i][1] - wide(points[j][1]) * points[i][0];
@@ -42,11 +42,11 @@ inline wide doubled_area(const planar::models::ring& points) {
 }
 
 /// Whether half of p lies within a ring; arbitrary on it.
-inline bool half_is_inside(const planar::models::ring& points, const planar::models::point& p) {
+inline bool half_is_inside(const plane::models::ring& points, const plane::models::point& p) {
   bool inside = false;
   for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++) {
-    const planar::models::point a = {2 * points[j][0], 2 * points[j][1]};
-    const planar::models::point b = {2 * points[i][0], 2 * points[i][1]};
+    const plane::models::point a = {2 * points[j][0], 2 * points[j][1]};
+    const plane::models::point b = {2 * points[i][0], 2 * points[i][1]};
     if ((a[1] > p[1]) != (b[1] > p[1]) && turn_sign(a, b, p) == (b[1] > a[1] ? 1 : -1)) inside = !inside;
   }
   return inside;
@@ -55,8 +55,8 @@ inline bool half_is_inside(const planar::models::ring& points, const planar::mod
 /// What is wrong with a polygon; empty: nothing. Edges meet only in the vertex between neighbours, the outer ring runs counter-clockwise, holes
 /// clockwise, inside of it and outside of each other. `touching`: different rings may share vertices. Exact for coordinates up to 2^60.
 /// Quadratic, but usually fast: a sweep over x.
-inline std::string fault_of(const planar::models::region& polygon, bool touching = false) {
-  using planar::models::point;
+inline std::string fault_of(const plane::models::region& polygon, bool touching = false) {
+  using plane::models::point;
   struct edge {
     point a, b;
     std::size_t ring, number, last;  // its number in the ring, and that of the ring's last
@@ -149,17 +149,17 @@ inline std::string name_of(weighting w) { return std::array{"none", "small", "de
 /// A polygon to test with; `name` belongs into a SCOPED_TRACE.
 struct polygon_sample {
   std::string name;
-  planar::models::region points;
-  planar::rings<integer> rings;
+  plane::models::region points;
+  plane::rings<integer> rings;
 };
 
 /// Rounds a polygon to multiples of 1 / grid of its extent, without repeated points and flattened holes; not always simple.
-inline planar::models::region coarsened(const planar::models::region& polygon, long grid) {
+inline plane::models::region coarsened(const plane::models::region& polygon, long grid) {
   long extent = 1;
   for (const auto& points : polygon)
     for (const auto& p : points) extent = std::max({extent, std::abs(p[0]), std::abs(p[1])});
   const double scale = static_cast<double>(grid) / static_cast<double>(extent);
-  planar::models::region result;
+  plane::models::region result;
   for (const auto& points : polygon) {
     auto& to = result.emplace_back();
     for (const auto& p : points) to.push_back({std::lround(static_cast<double>(p[0]) * scale), std::lround(static_cast<double>(p[1]) * scale)});
@@ -171,8 +171,8 @@ inline planar::models::region coarsened(const planar::models::region& polygon, l
 }
 
 /// The polygon of a shape and a seed: 3 .. 300 vertices, mostly few.
-inline planar::models::region random_region(shape s, std::uint64_t seed) {
-  namespace models = planar::models;
+inline plane::models::region random_region(shape s, std::uint64_t seed) {
+  namespace models = plane::models;
   models::dice roll(seed);
   static constexpr std::array<int, 10> most = {5, 8, 8, 12, 12, 20, 30, 60, 120, 300};
   const int n = static_cast<int>(roll.between(3, most[static_cast<std::size_t>(roll.between(0, 9))]));
@@ -224,9 +224,9 @@ inline planar::models::region random_region(shape s, std::uint64_t seed) {
 }
 
 /// Gives the edges of a polygon weights, reproducibly.
-inline void give_weights(planar::rings<integer>& rings, const planar::models::region& polygon, weighting w, std::uint64_t seed) {
+inline void give_weights(plane::rings<integer>& rings, const plane::models::region& polygon, weighting w, std::uint64_t seed) {
   if (w == weighting::none) return;
-  planar::models::dice roll(seed);
+  plane::models::dice roll(seed);
   const auto draw = [&roll, w] {
     if (w == weighting::small) return exact_number<integer>{integer(roll.between(1, 5)), 0, 0};
     if (w == weighting::decimal) return exact_number<integer>{integer(roll.between(1, 999)), -2, 0};
@@ -257,7 +257,7 @@ inline void give_weights(planar::rings<integer>& rings, const planar::models::re
 inline polygon_sample sample(shape s, weighting w, std::uint64_t seed) {
   polygon_sample result;
   result.points = random_region(s, seed);
-  result.rings = planar::models::take<integer>(result.points);
+  result.rings = plane::models::take<integer>(result.points);
   give_weights(result.rings, result.points, w, seed);
   std::size_t vertices = 0;
   for (const auto& points : result.points) vertices += points.size();

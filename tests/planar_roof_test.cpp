@@ -26,7 +26,7 @@
 #include "osteon/plane/propagate.hpp"
 #include "planar_polygons.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 namespace {
 
 using models::region;
@@ -38,9 +38,9 @@ struct case_of {
   explicit case_of(const rings<integer>& r) : p(make_polygon(r)) {
     const std::span<const moving_line<integer>> lines(p.lines);
     const auto k = perturbed(filtered(lines, make_sqrt_kernel(lines)));
-    const motion m(lines, p.points);
-    raw = propagation(k, p.outline, m).run();
-    s = contract(k.base(), p.outline.line, raw);
+    const vertex_enclosures m(lines, p.points);
+    raw = propagation(k, p.boundary, m).run();
+    s = contract(k.base(), p.boundary.line, raw);
   }
   roof_mesh roof(const roof_options& options = {}) const { return make_roof(p, raw, s, options); }
 };
@@ -319,4 +319,4 @@ INSTANTIATE_TEST_SUITE_P(all, planar_roofs, testing::ValuesIn(test::shapes_and_w
                          [](const auto& p) { return test::name_of(p.param.first) + "_" + test::name_of(p.param.second); });
 
 }  // namespace
-}  // namespace osteon::planar
+}  // namespace osteon::plane

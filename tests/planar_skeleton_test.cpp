@@ -35,7 +35,7 @@ using oracles::skeletons_of;
 
 std::string title(shape s, std::uint64_t seed) { return "random_region(shape::" + name_of(s) + ", " + std::to_string(seed) + ")"; }
 
-std::size_t size_of(const planar::models::region& r) {
+std::size_t size_of(const plane::models::region& r) {
   std::size_t n = 0;
   for (const auto& points : r) n += points.size();
   return n;
@@ -123,7 +123,7 @@ TEST(planar_skeleton, has_the_sizes_of_general_position) {
 
 using event_list = std::vector<triple>;
 
-event_list events_of(const planar::skeleton& s) {
+event_list events_of(const plane::skeleton& s) {
   event_list result;
   for (const auto& n : s.nodes)
     if (n.vertex < 0) result.push_back(n.lines);
@@ -131,7 +131,7 @@ event_list events_of(const planar::skeleton& s) {
 }
 
 /// Everything but the order of nodes.
-void expect_same(const planar::skeleton& a, const planar::skeleton& b) {
+void expect_same(const plane::skeleton& a, const plane::skeleton& b) {
   ASSERT_EQ(events_of(a), events_of(b));
   EXPECT_EQ(a.faces, b.faces);
   EXPECT_EQ(a.events, b.events);
@@ -146,19 +146,19 @@ void expect_same(const planar::skeleton& a, const planar::skeleton& b) {
 /// Gives everything away: everything may be everywhere at any time.
 struct anywhere {
   struct path {
-    planar::box start;
+    box start;
   };
-  planar::box whole;
-  const planar::box& frame() const { return whole; }
+  box whole;
+  const box& frame() const { return whole; }
   double speed() const { return 1; }
-  bool is_held(planar::line_id) const { return false; }
-  planar::interval time(const triple&) const { return {0, std::numeric_limits<double>::infinity()}; }
-  planar::interval sharp_time(const triple& q) const { return time(q); }
-  planar::box place(const triple&) const { return whole; }
-  path begin(planar::line_id, planar::line_id, const triple*) const { return {whole}; }
-  planar::box swept(const path&, double, double) const { return whole; }
+  bool is_stationary(plane::line_id) const { return false; }
+  interval time(const triple&) const { return {0, std::numeric_limits<double>::infinity()}; }
+  interval sharp_time(const triple& q) const { return time(q); }
+  box place(const triple&) const { return whole; }
+  path begin(plane::line_id, plane::line_id, const triple*) const { return {whole}; }
+  box swept(const path&, double, double) const { return whole; }
 };
-static_assert(planar::motion_bounds<anywhere>);
+static_assert(plane::motion_bounds<anywhere>);
 
 TEST(planar_kernels, agree) {
   for (const shape s : simple_shapes)
@@ -168,14 +168,14 @@ TEST(planar_kernels, agree) {
       for (const weighting w : {weighting::none, weighting::decimal}) {
         const auto sample_ = sample(s, w, seed);
         SCOPED_TRACE(sample_.name);
-        const auto p = planar::make_polygon(sample_.rings);
+        const auto p = plane::make_polygon(sample_.rings);
         const auto lines = oracles::lines_in(p);
         const auto filtered_one = oracles::raw_skeleton(oracles::planar_default_kernel(p), p);
         const auto k = perturbed(make_sqrt_kernel(lines));
         expect_same(filtered_one, oracles::raw_skeleton(k, p));
         if (size_of(region) <= 40) {
-          const anywhere motion{planar::motion(lines, p.points).frame()};
-          expect_same(filtered_one, planar::propagation(k, p.outline, motion).run());
+          const anywhere motion{plane::vertex_enclosures(lines, p.points).frame()};
+          expect_same(filtered_one, plane::propagation(k, p.boundary, motion).run());
         }
         const auto rational_one = oracles::raw_skeleton(perturbed(filtered(lines, make_rational_kernel(lines))), p);
         if (s == shape::general || s == shape::holes) expect_same(filtered_one, rational_one);
@@ -189,7 +189,7 @@ TEST(planar_kernels, doubles_agree_or_say_so) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
       const auto sample_ = sample(s, weighting::none, seed);
       SCOPED_TRACE(sample_.name);
-      const auto p = planar::make_polygon(sample_.rings);
+      const auto p = plane::make_polygon(sample_.rings);
       try {
         const auto rough = oracles::raw_skeleton(make_double_kernel(oracles::lines_in(p)), p);
         if (s != shape::general && s != shape::holes) continue;  // where events coincide, any order is as good
@@ -214,7 +214,7 @@ struct variant {
   correspondence from;
 };
 
-correspondence identity(const planar::models::region& r) {
+correspondence identity(const plane::models::region& r) {
   correspondence result;
   for (int i = 0; i < static_cast<int>(size_of(r)); ++i) {
     result.points.push_back(i);
@@ -233,7 +233,7 @@ struct similarity {
 };
 
 /// The polygon scaled, moved, mirrored and turned, with other starting points of rings and another order of holes.
-std::vector<variant> variants(const planar::models::region& region, std::uint64_t seed) {
+std::vector<variant> variants(const plane::models::region& region, std::uint64_t seed) {
   const std::vector<similarity> all = {
       {"scaled by 1e-15", {{{1, 0}, {0, 1}}}, -15},
       {"scaled by 1e12", {{{1, 0}, {0, 1}}}, 12},
@@ -249,7 +249,7 @@ std::vector<variant> variants(const planar::models::region& region, std::uint64_
   std::vector<int> first = {0};  // point of each ring
   for (const auto& points : region) first.push_back(first.back() + static_cast<int>(points.size()));
   std::vector<variant> result;
-  planar::models::dice roll(seed);
+  plane::models::dice roll(seed);
   for (std::size_t kind = 0; kind <= all.size(); ++kind) {
     const bool other_order = kind == all.size();
     const similarity& m = all[other_order ? 0 : kind];
@@ -334,7 +334,7 @@ TEST(planar_invariance, of_everything_that_moves_no_line_relative_to_the_others)
       const auto region = random_region(s, seed);
       if (size_of(region) > 130) continue;
       const auto lines = oracles::lines_of(oracles::doubles_of(region));
-      const auto expected = summary_of(skeletons_of(planar::models::take<integer>(region)), identity(region), lines);
+      const auto expected = summary_of(skeletons_of(plane::models::take<integer>(region)), identity(region), lines);
       for (const auto& v : variants(region, seed)) {
         SCOPED_TRACE(title(s, seed) + " " + v.name);
         const auto moved = skeletons_of(v.rings);
@@ -375,7 +375,7 @@ TEST(planar_weights, neighbours_in_line_have_some_valid_skeleton) {
       if (size_of(region) > 60) continue;
       // A vertex in the middle of every third edge, and weights that differ there.
       for (auto& ring : region) {
-        planar::models::ring fine;
+        plane::models::ring fine;
         for (std::size_t i = 0; i < ring.size(); ++i) {
           const auto& p = ring[i];
           const auto& q = ring[(i + 1) % ring.size()];
@@ -472,11 +472,11 @@ planar_input equal_teeth(int teeth, double height) {
 TEST(planar_attacks, gears_and_circles) {
   for (int n = 8; n <= 64; n += 4) {
     SCOPED_TRACE("gear " + std::to_string(n));
-    EXPECT_TRUE(agrees_with_simulation(oracles::doubles_of(planar::models::gear(n))));
+    EXPECT_TRUE(agrees_with_simulation(oracles::doubles_of(plane::models::gear(n))));
   }
   for (int n = 3; n <= 48; ++n) {
     SCOPED_TRACE("regular " + std::to_string(n));
-    EXPECT_TRUE(agrees_with_simulation(oracles::doubles_of(planar::models::regular(n))));
+    EXPECT_TRUE(agrees_with_simulation(oracles::doubles_of(plane::models::regular(n))));
   }
 }
 
@@ -491,7 +491,7 @@ TEST(planar_attacks, small_symmetric_stars) {
             input.rings[0].push_back({u * x - v * y, u * y + v * x});
         SCOPED_TRACE("star " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c));
         try {
-          planar::make_polygon(planar::make_rings<integer>(input.rings));
+          plane::make_polygon(plane::make_rings<integer>(input.rings));
         } catch (const input_error&) {
           continue;
         }
@@ -504,7 +504,7 @@ TEST(planar_attacks, turned_and_rounded) {
     for (int k = 1; k <= 3; ++k)
       for (const double angle : {0.1, 0.78539816339744831, 1.0}) {
         SCOPED_TRACE("grid_of_holes(" + std::to_string(k) + ") turned by " + std::to_string(angle) + ", " + std::to_string(digits) + " digits");
-        EXPECT_TRUE(agrees_with_simulation(turned(oracles::doubles_of(planar::models::grid_of_holes(k)), angle, std::pow(10, digits))));
+        EXPECT_TRUE(agrees_with_simulation(turned(oracles::doubles_of(plane::models::grid_of_holes(k)), angle, std::pow(10, digits))));
       }
     for (int teeth = 2; teeth <= 8; teeth += 3) {
       SCOPED_TRACE(std::to_string(teeth) + " teeth, " + std::to_string(digits) + " digits");
@@ -519,7 +519,7 @@ constexpr double simulated = 1e-15;  // with smaller numbers the simulation may 
 TEST(planar_attacks, points_almost_on_a_line) {
   for (const double eps : {1e-9, 1e-12, 1e-15, 1e-100})
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-      planar::models::dice roll(seed);
+      plane::models::dice roll(seed);
       const auto off = [&] { return eps * static_cast<double>(roll.between(-2, 2)); };
       planar_input input = {{{{0, 0}}}, {}};
       auto& ring = input.rings[0];
@@ -562,7 +562,7 @@ TEST(planar_attacks, weights_of_one_and_a_billion) {
       const auto region = random_region(s, seed);
       if (size_of(region) > 60) continue;
       auto input = oracles::doubles_of(region);
-      planar::models::dice roll(seed);
+      plane::models::dice roll(seed);
       for (const auto& ring : input.rings) {
         auto& weights = input.weights.emplace_back();
         for (std::size_t i = 0; i < ring.size(); ++i) weights.push_back(roll.between(0, 1) == 0 ? 1 : 1e9);
@@ -583,7 +583,7 @@ TEST(planar_attacks, doubles_end_in_some_way) {
       for (std::uint64_t seed = 1; seed <= 25; ++seed) {
         const auto sample_ = sample(s, w, seed);
         SCOPED_TRACE(sample_.name);
-        const auto p = planar::make_polygon(sample_.rings);
+        const auto p = plane::make_polygon(sample_.rings);
         try {
           oracles::raw_skeleton(make_double_kernel(oracles::lines_in(p)), p);
         } catch (const undecided_error&) {
@@ -670,15 +670,15 @@ TEST(planar_until, gives_the_beginning) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) inputs.push_back(oracles::doubles_of(random_region(s, seed)));
   for (const auto& input : inputs) {
     SCOPED_TRACE("input " + std::to_string(&input - inputs.data()));
-    const auto p = planar::make_polygon(planar::make_rings<integer>(input.rings));
+    const auto p = plane::make_polygon(plane::make_rings<integer>(input.rings));
     const auto k = oracles::planar_default_kernel(p);
-    const planar::motion motion(oracles::lines_in(p), p.points);
+    const plane::vertex_enclosures motion(oracles::lines_in(p), p.points);
     const auto all = events_of(oracles::raw_skeleton(k, p));
     const double end = motion.time(all.back()).last;
     for (const double part : {0.1, 0.5, 0.9, 1.0, 1e100}) {
-      planar::options o;
+      plane::skeleton_options o;
       o.until = std::min(part * end, 1e300);
-      const auto some = events_of(planar::propagation(k, p.outline, motion, o).run());
+      const auto some = events_of(plane::propagation(k, p.boundary, motion, o).run());
       ASSERT_LE(some.size(), all.size());
       EXPECT_TRUE(std::equal(some.begin(), some.end(), all.begin()));
       for (std::size_t i = some.size(); i < all.size(); ++i) EXPECT_GE(motion.time(all[i]).last, o.until * (1 - 1e-9));

@@ -22,11 +22,11 @@
 namespace osteon {
 namespace {
 
-planar::polygon<integer> box_with_triangles(const std::vector<long>& numbers) {
+plane::polygon<integer> box_with_triangles(const std::vector<long>& numbers) {
   const long right = 100 * *std::max_element(numbers.begin(), numbers.end()) + 1000;
-  planar::models::region r = {{{-1000, -2000}, {right, -2000}, {right, 0}, {-1000, 0}}};
+  plane::models::region r = {{{-1000, -2000}, {right, -2000}, {right, 0}, {-1000, 0}}};
   for (const long x : numbers) r.push_back({{100 * x, -20}, {100 * x + 10, -40}, {100 * x - 10, -40}});
-  return planar::make_polygon(planar::models::take<integer>(r));
+  return plane::make_polygon(plane::models::take<integer>(r));
 }
 
 // The numbers whose triangles lie along the face of edge 2, from its head to its tail.
@@ -34,8 +34,8 @@ std::vector<long> sorted_by_skeleton(const std::vector<long>& numbers) {
   const auto p = box_with_triangles(numbers);
   const std::span<const moving_line<integer>> lines(p.lines);
   const perturbed k(filtered(lines, make_sqrt_kernel(lines)));
-  const planar::motion motion(lines, p.points);
-  const planar::skeleton s = planar::propagation(k, p.outline, motion).run();
+  const plane::vertex_enclosures motion(lines, p.points);
+  const plane::skeleton s = plane::propagation(k, p.boundary, motion).run();
   constexpr int top = 2;
   std::map<int, std::vector<int>> at;  // arcs of the face by node
   for (int a = 0; a < static_cast<int>(s.arcs.size()); ++a)

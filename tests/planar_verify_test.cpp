@@ -33,41 +33,41 @@
 namespace osteon::test {
 namespace {
 
-using planar::event_class;
-using planar::rule;
-using planar::models::dice;
+using plane::event_class;
+using plane::rule;
+using plane::models::dice;
 
 constexpr std::array all_shapes = {shape::general, shape::holes, shape::coarse, shape::rectilinear, shape::symmetric, shape::touching};
 
-std::string text_of(const std::optional<planar::refutation>& r) {
-  return r ? std::string(planar::rule_names[static_cast<std::size_t>(r->broken)]) + ": " + r->witness : "certified";
+std::string text_of(const std::optional<plane::refutation>& r) {
+  return r ? std::string(plane::rule_names[static_cast<std::size_t>(r->broken)]) + ": " + r->witness : "certified";
 }
-std::string rule_of(const std::optional<planar::refutation>& r) {
-  return r ? std::string(planar::rule_names[static_cast<std::size_t>(r->broken)]) : "certified";
+std::string rule_of(const std::optional<plane::refutation>& r) {
+  return r ? std::string(plane::rule_names[static_cast<std::size_t>(r->broken)]) : "certified";
 }
 
-std::span<const moving_line<integer>> lines_of(const planar::polygon<integer>& p) { return p.lines; }
-auto kernel_of(const planar::polygon<integer>& p) { return perturbed(filtered(lines_of(p), make_sqrt_kernel(lines_of(p)))); }
-using default_kernel = decltype(kernel_of(std::declval<planar::polygon<integer>>()));
+std::span<const moving_line<integer>> lines_of(const plane::polygon<integer>& p) { return p.lines; }
+auto kernel_of(const plane::polygon<integer>& p) { return perturbed(filtered(lines_of(p), make_sqrt_kernel(lines_of(p)))); }
+using default_kernel = decltype(kernel_of(std::declval<plane::polygon<integer>>()));
 
 template <class K>
-planar::skeleton skeleton_under(const K& k, const planar::polygon<integer>& p, bool outside = false) {
-  planar::options o;
+plane::skeleton skeleton_under(const K& k, const plane::polygon<integer>& p, bool outside = false) {
+  plane::skeleton_options o;
   o.outside = outside;
-  const planar::motion motion(lines_of(p), p.points, outside);
-  return planar::propagation(k, p.outline, motion, o).run();
+  const plane::vertex_enclosures motion(lines_of(p), p.points, outside);
+  return plane::propagation(k, p.boundary, motion, o).run();
 }
 
 /// A polygon and its certified skeleton, to be tampered with.
 struct specimen {
   std::string name;
-  planar::polygon<integer> polygon;
+  plane::polygon<integer> polygon;
   default_kernel kernel;
-  planar::skeleton raw;
+  plane::skeleton raw;
 
   explicit specimen(const polygon_sample& s)
-      : name(s.name), polygon(planar::make_polygon(s.rings)), kernel(kernel_of(polygon)), raw(skeleton_under(kernel, polygon)) {}
-  std::optional<planar::refutation> verdict(const planar::skeleton& s) const { return planar::verify(kernel, polygon.outline, s); }
+      : name(s.name), polygon(plane::make_polygon(s.rings)), kernel(kernel_of(polygon)), raw(skeleton_under(kernel, polygon)) {}
+  std::optional<plane::refutation> verdict(const plane::skeleton& s) const { return plane::verify(kernel, polygon.boundary, s); }
 };
 
 // ---- what is right is certified
@@ -79,13 +79,13 @@ struct tally {
 
 void certify(const polygon_sample& s, bool outside, tally& count) {
   SCOPED_TRACE(s.name + (outside ? ", outside" : ""));
-  const auto p = planar::make_polygon(s.rings, outside);
+  const auto p = plane::make_polygon(s.rings, outside);
   const auto k = kernel_of(p);
   try {
     const auto raw = skeleton_under(k, p, outside);
     ++count.certified;
-    EXPECT_EQ(text_of(planar::verify(k, p.outline, raw, outside, has_held_edge(p))), "certified");
-    EXPECT_EQ(text_of(planar::verify_contraction(k.base(), p.outline, raw, planar::contract(k.base(), p.outline.line, raw))), "certified");
+    EXPECT_EQ(text_of(plane::verify(k, p.boundary, raw, outside, has_stationary_edge(p))), "certified");
+    EXPECT_EQ(text_of(plane::verify_contraction(k.base(), p.boundary, raw, plane::contract(k.base(), p.boundary.line, raw))), "certified");
   } catch (const unsupported_error&) {
     ++count.unsupported;  // a part that is enclosed by held edges
   } catch (const std::exception& e) {
@@ -115,15 +115,15 @@ TEST(PlanarCertificate, OfTheOutside) {
 }
 
 // Quadrilaterals in the cells of a grid, each held or growing.
-planar::rings<integer> islands(std::uint64_t seed) {
+plane::rings<integer> islands(std::uint64_t seed) {
   dice roll(seed);
   std::ostringstream text;
   const auto cells = roll.between(2, 3);
   for (long i = 0; i < cells; ++i)
     for (long j = 0; j < cells; ++j) {
-      const bool held = roll.between(0, 1) == 0;
+      const bool stationary = roll.between(0, 1) == 0;
       const auto corner = [&](long x, long y) {
-        text << 100 * i + x + roll.between(0, 20) << ' ' << 100 * j + y + roll.between(0, 20) << ' ' << (held ? 0 : roll.between(1, 3)) << '\n';
+        text << 100 * i + x + roll.between(0, 20) << ' ' << 100 * j + y + roll.between(0, 20) << ' ' << (stationary ? 0 : roll.between(1, 3)) << '\n';
       };
       corner(10, 10);
       corner(60, 10);
@@ -133,7 +133,7 @@ planar::rings<integer> islands(std::uint64_t seed) {
     }
   text << "-500 -500 1\n-480 -500 1\n-490 -480 1\n";  // one that surely grows
   std::istringstream in(text.str());
-  auto rings = planar::read_polygon<integer>(in, "islands");
+  auto rings = plane::read_polygon<integer>(in, "islands");
   for (std::size_t i = 0; i < rings.all.size(); ++i) rings.all[i].part = static_cast<int>(i);
   return rings;
 }
@@ -144,18 +144,18 @@ TEST(PlanarCertificate, OfTheOutsideOfIslands) {
   int crossings = 0;
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(seed);
-    const auto p = planar::make_polygon(islands(seed), true);
+    const auto p = plane::make_polygon(islands(seed), true);
     const auto k = kernel_of(p);
     const auto raw = skeleton_under(k, p, true);
-    const auto verdict = [&](const planar::skeleton& of) { return text_of(planar::verify(k, p.outline, of, true, has_held_edge(p))); };
+    const auto verdict = [&](const plane::skeleton& of) { return text_of(plane::verify(k, p.boundary, of, true, has_stationary_edge(p))); };
     EXPECT_EQ(verdict(raw), "certified");
     for (std::size_t end = p.points.size(); end < raw.nodes.size(); ++end) {
-      planar::skeleton cut = raw;
+      plane::skeleton cut = raw;
       cut.nodes.resize(end);
       cut.events = {};
       for (std::size_t n = p.points.size(); n < end; ++n) ++cut.events[static_cast<std::size_t>(cut.nodes[n].event)];
       std::erase_if(cut.arcs, [end](const auto& a) { return a.source >= static_cast<int>(end); });
-      std::erase_if(cut.passes, [end](const auto& x) { return x.node >= static_cast<int>(end); });
+      std::erase_if(cut.interior_nodes, [end](const auto& x) { return x.node >= static_cast<int>(end); });
       for (auto& a : cut.arcs)
         if (a.target >= static_cast<int>(end)) a.target = -1;
       const auto said = verdict(cut);
@@ -170,20 +170,20 @@ TEST(PlanarCertificate, OfTheOutsideOfIslands) {
 TEST(PlanarCertificate, OfTheOutsideOfAPlus) {
   polygon_sample s;
   s.points =
-      planar::models::region{{{1, 1}, {1, 10}, {-1, 10}, {-1, 1}, {-10, 1}, {-10, -1}, {-1, -1}, {-1, -10}, {1, -10}, {1, -1}, {10, -1}, {10, 1}}};
-  s.rings = planar::models::take<integer>(s.points);
+      plane::models::region{{{1, 1}, {1, 10}, {-1, 10}, {-1, 1}, {-10, 1}, {-10, -1}, {-1, -1}, {-1, -10}, {1, -10}, {1, -1}, {10, -1}, {10, 1}}};
+  s.rings = plane::models::take<integer>(s.points);
   s.name = "plus";
   tally count;
   certify(s, true, count);
   EXPECT_EQ(count.unsupported, 0);
-  const auto p = planar::make_polygon(s.rings, true);
+  const auto p = plane::make_polygon(s.rings, true);
   EXPECT_EQ(skeleton_under(kernel_of(p), p, true).nodes.size(), 12U) << "nothing ever happens";
 }
 
 TEST(PlanarCertificate, OfManyVertices) {
   polygon_sample s;
-  s.points = planar::models::random_polygon(20'000, 1);
-  s.rings = planar::models::take<integer>(s.points);
+  s.points = plane::models::random_polygon(20'000, 1);
+  s.rings = plane::models::take<integer>(s.points);
   s.name = "random_polygon(20000, 1)";
   tally count;
   certify(s, false, count);
@@ -227,7 +227,7 @@ std::vector<specimen> specimens(shape s, weighting w, int number) {
 class Tampered : public testing::Test {
  protected:
   // Applies the change to many skeletons; each is refuted by one of the rules.
-  static void refutes(const std::function<void(const specimen&, planar::skeleton&, dice&)>& change, const std::set<std::string>& rules) {
+  static void refutes(const std::function<void(const specimen&, plane::skeleton&, dice&)>& change, const std::set<std::string>& rules) {
     static const auto all = [] {
       auto list = specimens(shape::general, weighting::none, 25);
       for (auto& s : specimens(shape::general, weighting::decimal, 25)) list.push_back(std::move(s));
@@ -247,20 +247,20 @@ class Tampered : public testing::Test {
     for (const auto& r : rules) EXPECT_GT(seen[r], 0) << "never refuted by " << r;
   }
 
-  static int first_event(const planar::skeleton& s, event_class of, int skip = 0) {
+  static int first_event(const plane::skeleton& s, event_class of, int skip = 0) {
     for (int n = 0; n < static_cast<int>(s.nodes.size()); ++n)
       if (s.nodes[n].vertex < 0 && s.nodes[n].event == of && skip-- == 0) return n;
     return -1;
   }
-  static int vertices(const planar::skeleton& s) { return static_cast<int>(s.faces.size()); }
-  static int random_event(const planar::skeleton& s, dice& roll) {
+  static int vertices(const plane::skeleton& s) { return static_cast<int>(s.faces.size()); }
+  static int random_event(const plane::skeleton& s, dice& roll) {
     return static_cast<int>(roll.between(vertices(s), static_cast<long>(s.nodes.size()) - 1));
   }
 };
 
 TEST_F(Tampered, NodesSwapLines) {
   refutes(
-      [](const specimen&, planar::skeleton& s, dice& roll) {
+      [](const specimen&, plane::skeleton& s, dice& roll) {
         const int n = static_cast<int>(roll.between(vertices(s), static_cast<long>(s.nodes.size()) - 2));
         std::swap(s.nodes[n].lines, s.nodes[n + 1].lines);
       },
@@ -269,7 +269,7 @@ TEST_F(Tampered, NodesSwapLines) {
 
 TEST_F(Tampered, NodesSwapPlaces) {
   refutes(
-      [](const specimen&, planar::skeleton& s, dice& roll) {
+      [](const specimen&, plane::skeleton& s, dice& roll) {
         const int n = static_cast<int>(roll.between(vertices(s), static_cast<long>(s.nodes.size()) - 2));
         std::swap(s.nodes[n], s.nodes[n + 1]);
         for (auto& a : s.arcs) {
@@ -282,12 +282,12 @@ TEST_F(Tampered, NodesSwapPlaces) {
 
 TEST_F(Tampered, LinesOfANodeAreOthers) {
   refutes(
-      [](const specimen& one, planar::skeleton& s, dice& roll) {
+      [](const specimen& one, plane::skeleton& s, dice& roll) {
         auto& q = s.nodes[random_event(s, roll)].lines;
         const auto old = q;
         while (q == old || q[0] == q[1] || q[1] == q[2]) {
           q = old;
-          q[static_cast<std::size_t>(roll.between(0, 2))] = static_cast<planar::line_id>(roll.between(0, one.polygon.outline.lines - 1));
+          q[static_cast<std::size_t>(roll.between(0, 2))] = static_cast<plane::line_id>(roll.between(0, one.polygon.boundary.lines - 1));
           std::sort(q.begin(), q.end());
         }
       },
@@ -296,7 +296,7 @@ TEST_F(Tampered, LinesOfANodeAreOthers) {
 
 TEST_F(Tampered, EventOfTheOtherClass) {
   refutes(
-      [](const specimen&, planar::skeleton& s, dice& roll) {
+      [](const specimen&, plane::skeleton& s, dice& roll) {
         auto& e = s.nodes[random_event(s, roll)].event;
         e = e == event_class::edge ? event_class::split : event_class::edge;
       },
@@ -304,12 +304,12 @@ TEST_F(Tampered, EventOfTheOtherClass) {
 }
 
 TEST_F(Tampered, EventsCountedWrongly) {
-  refutes([](const specimen&, planar::skeleton& s, dice& roll) { ++s.events[static_cast<std::size_t>(roll.between(0, 1))]; }, {"count"});
+  refutes([](const specimen&, plane::skeleton& s, dice& roll) { ++s.events[static_cast<std::size_t>(roll.between(0, 1))]; }, {"count"});
 }
 
 TEST_F(Tampered, NodeTwice) {
   refutes(
-      [](const specimen&, planar::skeleton& s, dice& roll) {
+      [](const specimen&, plane::skeleton& s, dice& roll) {
         const int n = random_event(s, roll);
         const auto copy = s.nodes[n];
         s.nodes.insert(s.nodes.begin() + n, copy);
@@ -322,24 +322,24 @@ TEST_F(Tampered, NodeTwice) {
 }
 
 TEST_F(Tampered, ArcTwice) {
-  refutes([](const specimen&, planar::skeleton& s, dice& roll) { s.arcs.push_back(s.arcs[roll.between(0, static_cast<long>(s.arcs.size()) - 1)]); },
+  refutes([](const specimen&, plane::skeleton& s, dice& roll) { s.arcs.push_back(s.arcs[roll.between(0, static_cast<long>(s.arcs.size()) - 1)]); },
           {"start", "event"});
 }
 
 TEST_F(Tampered, ArcMissing) {
   refutes(
-      [](const specimen&, planar::skeleton& s, dice& roll) { s.arcs.erase(s.arcs.begin() + roll.between(0, static_cast<long>(s.arcs.size()) - 1)); },
+      [](const specimen&, plane::skeleton& s, dice& roll) { s.arcs.erase(s.arcs.begin() + roll.between(0, static_cast<long>(s.arcs.size()) - 1)); },
       {"start", "event"});
 }
 
 TEST_F(Tampered, ArcNeverEnds) {
-  refutes([](const specimen&, planar::skeleton& s, dice& roll) { s.arcs[roll.between(0, static_cast<long>(s.arcs.size()) - 1)].target = -1; },
+  refutes([](const specimen&, plane::skeleton& s, dice& roll) { s.arcs[roll.between(0, static_cast<long>(s.arcs.size()) - 1)].target = -1; },
           {"event", "length"});
 }
 
 TEST_F(Tampered, ArcsSwapTargets) {
   refutes(
-      [](const specimen&, planar::skeleton& s, dice& roll) {
+      [](const specimen&, plane::skeleton& s, dice& roll) {
         while (true) {
           auto& a = s.arcs[roll.between(0, static_cast<long>(s.arcs.size()) - 1)];
           auto& b = s.arcs[roll.between(0, static_cast<long>(s.arcs.size()) - 1)];
@@ -353,7 +353,7 @@ TEST_F(Tampered, ArcsSwapTargets) {
 
 TEST_F(Tampered, ArcRunsBackwards) {
   refutes(
-      [](const specimen&, planar::skeleton& s, dice& roll) {
+      [](const specimen&, plane::skeleton& s, dice& roll) {
         auto& a = s.arcs[roll.between(0, static_cast<long>(s.arcs.size()) - 1)];
         std::swap(a.source, a.target);
       },
@@ -362,7 +362,7 @@ TEST_F(Tampered, ArcRunsBackwards) {
 
 TEST_F(Tampered, FacesOfAnArcSwap) {
   refutes(
-      [](const specimen&, planar::skeleton& s, dice& roll) {
+      [](const specimen&, plane::skeleton& s, dice& roll) {
         auto& a = s.arcs[roll.between(0, static_cast<long>(s.arcs.size()) - 1)];
         std::swap(a.faces[0], a.faces[1]);
       },
@@ -371,7 +371,7 @@ TEST_F(Tampered, FacesOfAnArcSwap) {
 
 TEST_F(Tampered, ArcOfAnotherFace) {
   refutes(
-      [](const specimen&, planar::skeleton& s, dice& roll) {
+      [](const specimen&, plane::skeleton& s, dice& roll) {
         auto& a = s.arcs[roll.between(0, static_cast<long>(s.arcs.size()) - 1)];
         int& f = a.faces[static_cast<std::size_t>(roll.between(0, 1))];
         const int old = f;
@@ -382,10 +382,10 @@ TEST_F(Tampered, ArcOfAnotherFace) {
 
 TEST_F(Tampered, FacesAreOne) {
   refutes(
-      [](const specimen& one, planar::skeleton& s, dice& roll) {
+      [](const specimen& one, plane::skeleton& s, dice& roll) {
         int f = 0;
         int g = 0;
-        while (f == g || one.polygon.outline.line[f] == one.polygon.outline.line[g]) {
+        while (f == g || one.polygon.boundary.line[f] == one.polygon.boundary.line[g]) {
           f = s.faces[roll.between(0, static_cast<long>(s.faces.size()) - 1)];
           g = s.faces[roll.between(0, static_cast<long>(s.faces.size()) - 1)];
         }
@@ -399,7 +399,7 @@ TEST_F(Tampered, FacesAreOne) {
 // The last event of a part, and with it everything that it ends.
 TEST_F(Tampered, LastEventMissing) {
   refutes(
-      [](const specimen&, planar::skeleton& s, dice&) {
+      [](const specimen&, plane::skeleton& s, dice&) {
         const int last = static_cast<int>(s.nodes.size()) - 1;
         --s.events[static_cast<std::size_t>(s.nodes.back().event)];
         s.nodes.pop_back();
@@ -412,9 +412,9 @@ TEST_F(Tampered, LastEventMissing) {
 // One event is left out: its arcs are taken for those that go on.
 TEST_F(Tampered, EventMissing) {
   refutes(
-      [](const specimen&, planar::skeleton& s, dice& roll) {
+      [](const specimen&, plane::skeleton& s, dice& roll) {
         const int n = first_event(s, event_class::edge, static_cast<int>(roll.between(0, 2)));
-        std::vector<planar::skeleton::arc> left;
+        std::vector<plane::skeleton::arc> left;
         int target = -1;
         for (const auto& a : s.arcs)
           if (a.source == n) target = a.target;
@@ -439,8 +439,8 @@ TEST(PlanarRefutation, OfTheSkeletonOfAnotherPolygon) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const auto make = [&](std::uint64_t which) {
       polygon_sample s;
-      s.points = planar::models::noisy_star(20, which);
-      s.rings = planar::models::take<integer>(s.points);
+      s.points = plane::models::noisy_star(20, which);
+      s.rings = plane::models::take<integer>(s.points);
       s.name = "noisy_star(20, " + std::to_string(which) + ")";
       return specimen(s);
     };
@@ -466,11 +466,11 @@ TEST(PlanarRefutation, OfTheSkeletonOfOtherWeights) {
     SCOPED_TRACE(s.name);
     const specimen one(s);
     const specimen other(t);
-    const auto same = [](const planar::skeleton& x, const planar::skeleton& y) {
+    const auto same = [](const plane::skeleton& x, const plane::skeleton& y) {
       return std::equal(x.nodes.begin(), x.nodes.end(), y.nodes.begin(), y.nodes.end(),
                         [](const auto& m, const auto& n) { return m.vertex == n.vertex && m.lines == n.lines; });
     };
-    if (one.polygon.outline.lines != other.polygon.outline.lines || same(one.raw, other.raw)) continue;
+    if (one.polygon.boundary.lines != other.polygon.boundary.lines || same(one.raw, other.raw)) continue;
     EXPECT_TRUE(one.verdict(other.raw)) << "certified";
     ++refuted;
   }
@@ -478,9 +478,9 @@ TEST(PlanarRefutation, OfTheSkeletonOfOtherWeights) {
 }
 
 /// A skeleton that knows no splits: edges vanish one after the other, whatever is in between.
-planar::skeleton without_splits(const default_kernel& k, const planar::outline& polygon) {
+plane::skeleton without_splits(const default_kernel& k, const plane::boundary& polygon) {
   const int n = static_cast<int>(polygon.next.size());
-  planar::skeleton s;
+  plane::skeleton s;
   std::vector<int> before(polygon.next.size());
   std::vector<int> after = polygon.next;
   std::vector<int> arc(polygon.next.size());  // of the vertex where an edge starts
@@ -538,7 +538,7 @@ TEST(PlanarRefutation, OfSkeletonsThatIgnoreSplits) {
         const specimen one(sample(s, w, seed));
         SCOPED_TRACE(one.name);
         if (one.polygon.points.size() > 40) continue;
-        const auto naive = without_splits(one.kernel, one.polygon.outline);
+        const auto naive = without_splits(one.kernel, one.polygon.boundary);
         const bool ends = std::none_of(naive.arcs.begin(), naive.arcs.end(), [](const auto& a) { return a.target < 0; });
         const auto verdict = one.verdict(naive);
         if (one.raw.events[1] == 0) {
@@ -563,15 +563,15 @@ struct blind {
   const K& k;
   triple hidden;
 
-  planar::line_id size() const { return k.size(); }
-  sign orientation(planar::line_id a, planar::line_id b) const { return k.orientation(a, b); }
-  bool transversal(planar::line_id a, planar::line_id b) const { return k.transversal(a, b); }
+  plane::line_id size() const { return k.size(); }
+  sign orientation(plane::line_id a, plane::line_id b) const { return k.orientation(a, b); }
+  bool transversal(plane::line_id a, plane::line_id b) const { return k.transversal(a, b); }
   std::optional<meeting> meet(const triple& q) const { return q == hidden ? std::nullopt : k.meet(q); }
   triple planes(const meeting& m) const { return k.planes(m); }
   sign closing(const meeting& m) const { return k.closing(m); }
   meeting start() const { return k.start(); }
   sign compare(const meeting& m, const meeting& n) const { return k.compare(m, n); }
-  sign side(planar::line_id c, planar::line_id a, planar::line_id b, const meeting& m) const { return k.side(c, a, b, m); }
+  sign side(plane::line_id c, plane::line_id a, plane::line_id b, const meeting& m) const { return k.side(c, a, b, m); }
 };
 
 // Every split of every skeleton is left out once; the event loop goes on without it as long as it can.
@@ -583,12 +583,12 @@ TEST(PlanarRefutation, OfSkeletonsThatMissOneContact) {
     for (const auto& node : one.raw.nodes) {
       if (node.vertex >= 0 || node.event != event_class::split) continue;
       const blind<default_kernel> k{one.kernel, node.lines};
-      planar::skeleton wrong;
+      plane::skeleton wrong;
       try {
-        planar::options o;
+        plane::skeleton_options o;
         o.outside = true;  // hands out what has no end
-        const planar::motion motion(lines_of(one.polygon), one.polygon.points, true);
-        wrong = planar::propagation(k, one.polygon.outline, motion, o).run();
+        const plane::vertex_enclosures motion(lines_of(one.polygon), one.polygon.points, true);
+        wrong = plane::propagation(k, one.polygon.boundary, motion, o).run();
       } catch (const error&) {
         continue;
       }
@@ -654,19 +654,19 @@ TEST(PlanarGarbage, ManyNumbersAreOthers) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     dice roll(seed);
     auto s = one.raw;
-    auto o = one.polygon.outline;
+    auto o = one.polygon.boundary;
     const int size = static_cast<int>(s.nodes.size());
     for (long changes = roll.between(1, 20); changes-- > 0;) {
       const auto any = [&](auto& list) -> auto& { return list[static_cast<std::size_t>(roll.between(0, static_cast<long>(list.size()) - 1))]; };
       switch (roll.between(0, 9)) {
         case 0:
-          any(s.nodes).lines[static_cast<std::size_t>(roll.between(0, 2))] = any_number(roll, one.polygon.outline.lines);
+          any(s.nodes).lines[static_cast<std::size_t>(roll.between(0, 2))] = any_number(roll, one.polygon.boundary.lines);
           break;
         case 1:
           any(s.nodes).event = static_cast<event_class>(roll.between(0, 255));
           break;
         case 2:
-          any(s.nodes).late = true;
+          any(s.nodes).zero_length = true;
           break;
         case 3:
           any(s.arcs).source = any_number(roll, size);
@@ -684,26 +684,26 @@ TEST(PlanarGarbage, ManyNumbersAreOthers) {
           any(s.faces) = any_number(roll, static_cast<int>(s.faces.size()));
           break;
         case 8:
-          any(o.line) = any_number(roll, one.polygon.outline.lines);
+          any(o.line) = any_number(roll, one.polygon.boundary.lines);
           break;
         default:
           any(roll.between(0, 1) == 0 ? o.next : o.rank) = any_number(roll, static_cast<int>(o.next.size()));
       }
     }
-    planar::verify(one.kernel, o, s, seed % 2 == 0);
+    plane::verify(one.kernel, o, s, seed % 2 == 0);
   }
 }
 
 TEST(PlanarGarbage, FromNothing) {
   const specimen one(sample(shape::holes, weighting::none, 5));
-  const int lines = one.polygon.outline.lines;
+  const int lines = one.polygon.boundary.lines;
   for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     dice roll(seed);
     const auto nodes = static_cast<std::size_t>(roll.between(0, 20));
     const auto faces = static_cast<std::size_t>(roll.between(0, 12));
-    planar::outline o;
-    planar::skeleton s;
+    plane::boundary o;
+    plane::skeleton s;
     for (std::size_t i = 0; i < faces; ++i) {
       o.next.push_back(seed % 3 == 0 ? any_number(roll, static_cast<int>(faces)) : static_cast<int>((i + 1) % faces));
       o.line.push_back(static_cast<int>(roll.between(0, lines - 1)));
@@ -722,9 +722,9 @@ TEST(PlanarGarbage, FromNothing) {
       s.arcs.push_back({any_number(roll, static_cast<int>(nodes)),
                         any_number(roll, static_cast<int>(nodes)),
                         {any_number(roll, static_cast<int>(faces)), any_number(roll, static_cast<int>(faces))}});
-    const auto verdict = planar::verify(one.kernel, o, s, seed % 2 == 0);
+    const auto verdict = plane::verify(one.kernel, o, s, seed % 2 == 0);
     EXPECT_TRUE(verdict || faces == 0) << "certified";
-    planar::verify_contraction(one.kernel.base(), one.polygon.outline, one.raw, {{}, {}, any_number(roll, 3), any_number(roll, 3)});
+    plane::verify_contraction(one.kernel.base(), one.polygon.boundary, one.raw, {{}, {}, any_number(roll, 3), any_number(roll, 3)});
   }
 }
 
@@ -732,26 +732,26 @@ TEST(PlanarGarbage, FromNothing) {
 
 class TamperedContraction : public testing::Test {
  protected:
-  static void refutes(const std::function<void(planar::contracted_skeleton&, dice&)>& change, const std::set<std::string>& rules) {
+  static void refutes(const std::function<void(plane::contracted_skeleton&, dice&)>& change, const std::set<std::string>& rules) {
     std::set<std::string> seen;
     for (const auto shape : {shape::general, shape::symmetric, shape::coarse})
       for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         const specimen one(sample(shape, weighting::none, seed));
         SCOPED_TRACE(one.name);
-        auto s = planar::contract(one.kernel.base(), one.polygon.outline.line, one.raw);
+        auto s = plane::contract(one.kernel.base(), one.polygon.boundary.line, one.raw);
         if (static_cast<int>(s.nodes.size()) < s.vertices + 3) continue;
         dice roll(seed);
         change(s, roll);
-        const auto verdict = planar::verify_contraction(one.kernel.base(), one.polygon.outline, one.raw, s);
+        const auto verdict = plane::verify_contraction(one.kernel.base(), one.polygon.boundary, one.raw, s);
         EXPECT_TRUE(rules.contains(rule_of(verdict))) << text_of(verdict);
         seen.insert(rule_of(verdict));
       }
     EXPECT_EQ(seen, rules);
   }
-  static planar::contracted_skeleton::arc& any_arc(planar::contracted_skeleton& s, dice& roll) {
+  static plane::contracted_skeleton::arc& any_arc(plane::contracted_skeleton& s, dice& roll) {
     return s.arcs[roll.between(0, static_cast<long>(s.arcs.size()) - 1)];
   }
-  static int inner_node(const planar::contracted_skeleton& s, dice& roll) {
+  static int inner_node(const plane::contracted_skeleton& s, dice& roll) {
     return static_cast<int>(roll.between(s.vertices, static_cast<long>(s.nodes.size()) - 1));
   }
 };
@@ -806,7 +806,7 @@ TEST_F(TamperedContraction, NodeDropped) {
 using real = boost::multiprecision::mpf_float_100;
 
 /// Where three lines of a polygon meet.
-std::array<real, 2> place_of(const planar::polygon<integer>& p, const triple& lines) {
+std::array<real, 2> place_of(const plane::polygon<integer>& p, const triple& lines) {
   std::array<std::array<real, 4>, 3> rows;  // n x + t = d
   for (std::size_t r = 0; r < 3; ++r) {
     const auto& l = p.lines[lines[r]];
@@ -831,19 +831,19 @@ TEST(PlanarFaces, AreMonotone) {
       const specimen one(sample(s, weighting::none, seed));
       SCOPED_TRACE(one.name);
       const auto& p = one.polygon;
-      const auto c = planar::contract(one.kernel.base(), p.outline.line, one.raw);
+      const auto c = plane::contract(one.kernel.base(), p.boundary.line, one.raw);
       const int n = static_cast<int>(p.points.size());
       std::vector<std::array<real, 2>> places;
       for (const auto& q : p.points) places.push_back({real(q[0]), real(q[1])});
       for (const auto& node : c.nodes) places.push_back(node.vertex >= 0 ? places[node.vertex] : place_of(p, node.lines));
       const auto number = [&](int node) { return c.nodes[node].vertex >= 0 ? c.nodes[node].vertex : n + node; };
       std::vector<std::vector<std::array<int, 2>>> border(p.points.size());  // by face: pieces between places
-      for (int e = 0; e < n; ++e) border[one.raw.faces[e]].push_back({e, p.outline.next[e]});
+      for (int e = 0; e < n; ++e) border[one.raw.faces[e]].push_back({e, p.boundary.next[e]});
       for (const auto& a : c.arcs)
         for (const int f : a.faces) border[f].push_back({number(a.source), number(a.target)});
       for (int f = 0; f < n; ++f) {
         if (border[f].empty()) continue;
-        const auto& normal = p.lines[p.outline.line[f]].n;
+        const auto& normal = p.lines[p.boundary.line[f]].n;
         // Of a closed border an even number of pieces passes over every point of the edge's line: none or two.
         std::vector<std::pair<real, int>> ends;
         for (const auto& piece : border[f]) {

@@ -243,7 +243,7 @@ TEST(Solid, MajorityCornerIsARingOfSixFacets) {
 TEST(Solid, FlipAndTriangulate) {
   auto m = cube().to_mesh();
   solid_builder<integer>::flip(m);
-  EXPECT_EQ(fault_of(m), input_fault::inside_out);
+  EXPECT_EQ(fault_of(m), input_fault::inverted);
   solid_builder<integer>::flip(m);
   EXPECT_NO_THROW(make_solid(m));
   solid_builder<integer>::triangulate(m);

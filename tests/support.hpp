@@ -46,10 +46,12 @@ inline auto rational_default_kernel(const solid<integer>& s) {
   return perturbed(filtered(std::span<const moving_plane<integer>>(s.planes), make_rational_kernel(s.planes)));
 }
 
-inline options preferring(split_preference p) { return {p, default_saddle(p)}; }
+inline skeleton_options preferring(split_preference p) { return {p, default_saddle(p)}; }
 
 /// The thesis's two ways through a saddle.
-inline options as_in_the_thesis(split_preference p) { return {p, p == split_preference::min_volume ? saddle_rule::faster : saddle_rule::slower}; }
+inline skeleton_options as_in_the_thesis(split_preference p) {
+  return {p, p == split_preference::min_volume ? saddle_rule::faster : saddle_rule::slower};
+}
 
 inline std::filesystem::path corpus() { return OSTEON_CORPUS; }
 

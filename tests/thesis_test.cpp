@@ -40,7 +40,7 @@ std::vector<row> table() {
   return rows;
 }
 
-options options_of(const row& r) { return as_in_the_thesis(r.prefer == "convex" ? split_preference::convex : split_preference::min_volume); }
+skeleton_options options_of(const row& r) { return as_in_the_thesis(r.prefer == "convex" ? split_preference::convex : split_preference::min_volume); }
 
 std::array<int, 3> raw_of(const skeleton& s) {
   return {static_cast<int>(s.nodes.size()), static_cast<int>(s.arcs.size()), static_cast<int>(s.sheets.size())};

@@ -24,7 +24,7 @@ std::string text_of(const std::optional<refutation>& r) {
   return r ? std::string(rule_names[static_cast<std::size_t>(r->broken)]) + ": " + r->witness : "certified";
 }
 
-std::string certify(const solid<integer>& s, const options& o) {
+std::string certify(const solid<integer>& s, const skeleton_options& o) {
   const auto k = default_kernel(s);
   const auto raw = straight_skeleton(k, s.boundary, o);
   const auto broken = verify(k, s.boundary, raw);
@@ -192,7 +192,7 @@ std::vector<corruption> corruptions() {
       {"an arc names a sheet that is not there", structure, [=](skeleton& s) { arc(s).sheets[0] = -1; }},
       {"a sheet lies between a facet and itself", structure, [=](skeleton& s) { sheet(s).facets[1] = sheet(s).facets[0]; }},
       {"a sheet's facet is not there", structure, [=](skeleton& s) { sheet(s).facets[1] = 100000; }},
-      {"a sheet's polygon is not there", structure, [=](skeleton& s) { sheet(s).polygon = -2; }},
+      {"a sheet's polygon is not there", structure, [=](skeleton& s) { sheet(s).representative = -2; }},
       {"a sheet's edge is not there", structure, [=](skeleton& s) { sheet(s).input_edge = 1 << 30; }},
       {"a sheet names an arc that is not there", structure, [=](skeleton& s) { sheet(s).arcs[0] = 1 << 30; }},
       {"a cell is missing", structure, [](skeleton& s) { s.cells.pop_back(); }},
@@ -250,8 +250,9 @@ std::vector<corruption> corruptions() {
       {"a sheet belongs to a polygon of other facets", incidence,
        [](skeleton& s) {
          const auto t = static_cast<std::size_t>(a_born_sheet(s));
-         s.sheets[t].polygon = find(s.sheets, [&](const auto& x) {
-           return x.facets != s.sheets[t].facets && s.sheets[x.polygon].polygon == x.polygon && &s.sheets[x.polygon] == &x;
+         s.sheets[t].representative = find(s.sheets, [&](const auto& x) {
+           return x.facets != s.sheets[t].facets && s.sheets[x.representative].representative == x.representative &&
+                  &s.sheets[x.representative] == &x;
          });
        }},
       {"an arc ends in a node of other planes", incidence,
@@ -302,20 +303,20 @@ std::vector<corruption> corruptions() {
       {"a sheet that goes on is said to end", link,
        [](skeleton& s) {
          const int t = find(s.sheets, [&](const auto& x) {
-           return s.sheets[static_cast<std::size_t>(x.polygon)].polygon == x.polygon && &s.sheets[static_cast<std::size_t>(x.polygon)] != &x &&
-                  !x.arcs.empty();
+           return s.sheets[static_cast<std::size_t>(x.representative)].representative == x.representative &&
+                  &s.sheets[static_cast<std::size_t>(x.representative)] != &x && !x.arcs.empty();
          });
-         s.sheets[static_cast<std::size_t>(t)].polygon = t;
+         s.sheets[static_cast<std::size_t>(t)].representative = t;
        }},
       {"two sheets apart are said to be one", link,
        [](skeleton& s) {
          for (int t = 0; t < static_cast<int>(s.sheets.size()); ++t)
            for (int u = 0; u < t; ++u)
              if (s.sheets[static_cast<std::size_t>(t)].facets == s.sheets[static_cast<std::size_t>(u)].facets &&
-                 s.sheets[static_cast<std::size_t>(t)].polygon == t && s.sheets[static_cast<std::size_t>(u)].polygon == u) {
+                 s.sheets[static_cast<std::size_t>(t)].representative == t && s.sheets[static_cast<std::size_t>(u)].representative == u) {
                skeleton changed = s;
                for (auto& x : changed.sheets)
-                 if (x.polygon == t) x.polygon = u;
+                 if (x.representative == t) x.representative = u;
                const auto k = default_kernel(bars().of);
                const auto broken = verify(k, bars().of.boundary, changed);
                if (!broken || broken->broken != link) continue;  // not the kinds of two sheets differ

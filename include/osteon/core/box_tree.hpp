@@ -13,7 +13,7 @@
 
 #include "osteon/core/prefetch.hpp"
 
-namespace osteon::planar {
+namespace osteon {
 
 /// A closed set of real numbers.
 struct interval {
@@ -275,4 +275,4 @@ class box_tree {
   int free_ = -1;  // the first of the blocks that are not used
 };
 
-}  // namespace osteon::planar
+}  // namespace osteon

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// The errors of the library. Bad input is a typed value that names the element and the cure; a kernel that cannot
+/// The errors of the library. Bad input is a typed value that names the element and the hint; a kernel that cannot
 /// decide is an error of its own; a broken invariant names itself.
 
 #include <cstdint>
@@ -31,13 +31,13 @@ enum class input_fault : std::uint8_t {
   repeated_point,       ///< two points with the same coordinates
   unused_point,         ///< a point in no facet
   not_closed,           ///< an edge with one facet
-  crowded_edge,         ///< an edge with three or more facets
+  non_manifold_edge,    ///< an edge with three or more facets
   inconsistent,         ///< two facets run along an edge in the same direction
-  inside_out,           ///< all normals point inwards, or a void is wound like a body
+  inverted,             ///< all normals point inwards, or a void is wound like a body
   zero_area,            ///< a facet of area zero
   not_planar,           ///< a facet whose points do not lie in one plane
   folded,               ///< two facets that meet at an angle of zero
-  two_fans,             ///< two fans of facets share only a point and have material between them
+  non_manifold_vertex,  ///< two fans of facets share only a point and have material between them
   self_intersection,    ///< two facets meet where they should not
   weight_not_positive,  ///< the weight of a facet is not greater than zero
   weight_conflict,      ///< adjacent coplanar facets with different weights
@@ -53,10 +53,10 @@ enum class input_fault : std::uint8_t {
 /// The input is not a solid or polygon. `element` is the point's, facet's or line's number, counted from one, or 0.
 struct input_error : error {
   input_error(input_fault f, std::size_t number, const std::string& what, std::string remedy)
-      : error(what + "; cure: " + remedy), fault(f), element(number), cure(std::move(remedy)) {}
+      : error(what + "; hint: " + remedy), fault(f), element(number), hint(std::move(remedy)) {}
   input_fault fault;
   std::size_t element;
-  std::string cure;
+  std::string hint;
 };
 
 /// The solid is valid, but this version cannot take it. Names the vertex or planes.
@@ -92,7 +92,7 @@ struct invariant_error : error {
 template <class K>
 [[noreturn]] void broken_invariant(const std::string& name) {
   if constexpr (K::exact) throw invariant_error("internal invariant violated: " + name);
-  throw undecided_error("the kernel's answers contradict each other (" + name + "); cure: use an exact kernel");
+  throw undecided_error("the kernel's answers contradict each other (" + name + "); hint: use an exact kernel");
 }
 
 }  // namespace osteon

@@ -20,7 +20,7 @@
 #include "osteon/input/plane_sweep.hpp"
 #include "osteon/input/polygon.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// Limits that no input can push memory beyond.
 inline constexpr std::size_t most_vertices = 10'000'000;
@@ -99,13 +99,13 @@ class polygon_builder {
     if (touching) join_straight();
     finish();
     if (outside_) turn_round();
-    rank_edges(p_.outline, p_.points);
+    rank_edges(p_.boundary, p_.points);
     return std::move(p_);
   }
 
  private:
-  [[noreturn]] void fail(input_fault fault, int input, const std::string& what, const std::string& cure) const {
-    throw input_error(fault, static_cast<std::size_t>(input) + 1, name(input) + what, cure);
+  [[noreturn]] void fail(input_fault fault, int input, const std::string& what, const std::string& hint) const {
+    throw input_error(fault, static_cast<std::size_t>(input) + 1, name(input) + what, hint);
   }
 
   // "ring 2, point 5", and where it was read; points are counted from one within their ring.
@@ -518,7 +518,7 @@ class polygon_builder {
     }
     std::vector<int> id(next_.size(), -1);
     for (std::size_t i = 0; i < order.size(); ++i) id[order[i]] = static_cast<int>(i);
-    auto& o = p_.outline;
+    auto& o = p_.boundary;
     o.next.reserve(order.size());
     o.line.reserve(order.size());
     p_.points.reserve(order.size());
@@ -541,11 +541,11 @@ class polygon_builder {
       for (Int& x : l.n) x = -x;
       l.d = -l.d;
     }
-    const outline given = p_.outline;
+    const boundary given = p_.boundary;
     for (std::size_t i = 0; i < given.next.size(); ++i) {
       const int to = given.next[i];
-      p_.outline.next[to] = static_cast<int>(i);
-      p_.outline.line[to] = given.line[i];
+      p_.boundary.next[to] = static_cast<int>(i);
+      p_.boundary.line[to] = given.line[i];
     }
   }
 
@@ -631,4 +631,4 @@ polygon<Int> make_polygon(rings<Int> r, bool outside = false) {
   return polygon_builder<Int>(std::move(r), outside).build();
 }
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

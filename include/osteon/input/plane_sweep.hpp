@@ -19,7 +19,7 @@
 
 #include "osteon/core/sign.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// Points with exact predicates that doubles answer where they can.
 template <class Int>
@@ -371,4 +371,4 @@ class crossing_search {
   std::optional<bad_meeting> bad_;
 };
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

@@ -13,9 +13,9 @@
 
 #include "osteon/input/exact_number.hpp"
 #include "osteon/input/moving_plane.hpp"
-#include "osteon/plane/outline.hpp"
+#include "osteon/plane/boundary.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// Closed rings of points as read; the last point of a ring is joined to its first.
 template <class Int>
@@ -36,7 +36,7 @@ struct rings {
 template <class Int>
 struct polygon {
   std::vector<moving_line<Int>> lines;
-  planar::outline outline;
+  plane::boundary boundary;
   std::vector<std::array<Int, 2>> points;  ///< of the vertices
   std::vector<int> input_points;           ///< their numbers in the input, counted through all rings from 0
   int holes = 0;                           ///< clockwise boundaries of the outline: holes that touch are one, none if they touch the outer ring
@@ -51,13 +51,13 @@ struct polygon {
 
 /// Whether an edge has weight zero: it stays where it is.
 template <class Int>
-bool has_held_edge(const polygon<Int>& p) {
+bool has_stationary_edge(const polygon<Int>& p) {
   return std::any_of(p.lines.begin(), p.lines.end(), [](const auto& l) { return l.weight == 0; });
 }
 
 /// Sets the ranks of edges from the points of their tails. Cost: sorting.
 template <class Int>
-void rank_edges(outline& o, const std::vector<std::array<Int, 2>>& points) {
+void rank_edges(boundary& o, const std::vector<std::array<Int, 2>>& points) {
   std::vector<int> order(o.next.size());
   std::iota(order.begin(), order.end(), 0);
   const auto first = [&](int e, int f) {
@@ -72,4 +72,4 @@ void rank_edges(outline& o, const std::vector<std::array<Int, 2>>& points) {
   for (std::size_t i = 0; i < order.size(); ++i) o.rank[order[i]] = static_cast<int>(i);
 }
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

@@ -71,8 +71,8 @@ class line_reader {
   std::string_view text() const { return text_; }
   std::size_t number() const { return number_; }  ///< of the first line of those joined, from 1
 
-  [[noreturn]] void fail(input_fault fault, const std::string& what, const std::string& cure) const {
-    throw input_error(fault, number_, file_ + ":" + std::to_string(number_) + ": " + what, cure);
+  [[noreturn]] void fail(input_fault fault, const std::string& what, const std::string& hint) const {
+    throw input_error(fault, number_, file_ + ":" + std::to_string(number_) + ": " + what, hint);
   }
 
  private:
@@ -113,7 +113,7 @@ mesh<Int> read_obj(std::istream& in, const std::string& file) {
   m.file = file;
   std::size_t corners = 0;
   obj::line_reader lines(in, file);
-  const auto fail = [&](input_fault fault, const std::string& what, const std::string& cure) { lines.fail(fault, what, cure); };
+  const auto fail = [&](input_fault fault, const std::string& what, const std::string& hint) { lines.fail(fault, what, hint); };
   while (lines.next()) {
     std::string_view line = lines.text();
     const std::string_view keyword = obj::next_word(line);

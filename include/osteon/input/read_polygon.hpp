@@ -21,7 +21,7 @@
 #include "osteon/input/polygon.hpp"
 #include "osteon/input/read_obj.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// How deep brackets of JSON may be nested.
 inline constexpr std::size_t deepest_nesting = 500;
@@ -60,8 +60,8 @@ class text_source {
 
   std::size_t line() const { return line_; }
 
-  [[noreturn]] void fail(input_fault fault, const std::string& what, const std::string& cure) const {
-    throw input_error(fault, line_, file_ + ":" + std::to_string(line_) + ": " + what, cure);
+  [[noreturn]] void fail(input_fault fault, const std::string& what, const std::string& hint) const {
+    throw input_error(fault, line_, file_ + ":" + std::to_string(line_) + ": " + what, hint);
   }
 
   /// Appends to a word, which must not become absurdly long.
@@ -418,7 +418,7 @@ class geojson_reader {
     bool in_list = false;
   };
 
-  [[noreturn]] void fail(input_fault fault, const std::string& what, const std::string& cure) { json_.source().fail(fault, what, cure); }
+  [[noreturn]] void fail(input_fault fault, const std::string& what, const std::string& hint) { json_.source().fail(fault, what, hint); }
 
   // Lists of lists of points, as deep as the first number.
   void read_coordinates(object& o) {
@@ -701,4 +701,4 @@ rings<Int> make_rings(const std::vector<std::vector<std::array<double, 2>>>& poi
   return result;
 }
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

@@ -43,7 +43,7 @@ struct solid {
 
 /// Turns a mesh into a solid. Coplanar neighbours are merged, vertices of degree two removed, planes with equal
 /// equation and weight share one number (design 04). Checks everything that design asks of a solid and throws
-/// input_error naming the first fault, its element and the cure.
+/// input_error naming the first fault, its element and the hint.
 /// Cost: linear, but for sorting and the search for self-intersections (see find_self_intersection).
 template <class Int>
 class solid_builder {
@@ -101,8 +101,8 @@ class solid_builder {
     int twin;
   };
 
-  [[noreturn]] void fail(input_fault fault, std::size_t element, const std::string& what, const std::string& cure) const {
-    throw input_error(fault, element + 1, what, cure);
+  [[noreturn]] void fail(input_fault fault, std::size_t element, const std::string& what, const std::string& hint) const {
+    throw input_error(fault, element + 1, what, hint);
   }
   std::string edge_name(int a, int b) const { return "the edge between points " + std::to_string(a + 1) + " and " + std::to_string(b + 1); }
 
@@ -211,7 +211,7 @@ class solid_builder {
         fail(input_fault::not_closed, f, m_.name_facet(f) + ": " + edge_name(a, b) + " has no second facet, so the surface is not closed",
              "close the hole");
       if (both.size() > 2)
-        fail(input_fault::crowded_edge, f, m_.name_facet(f) + ": " + edge_name(a, b) + " has " + std::to_string(both.size()) + " facets",
+        fail(input_fault::non_manifold_edge, f, m_.name_facet(f) + ": " + edge_name(a, b) + " has " + std::to_string(both.size()) + " facets",
              "use separate points for the parts that touch there");
       const int other = both[0] == h ? both[1] : both[0];
       if (half_edges_[other].from == a)
@@ -347,7 +347,7 @@ class solid_builder {
       for (const int f : fans)
         for (const int g : fans)
           if (f != g && is_inside(f, g))
-            fail(input_fault::two_fans, static_cast<std::size_t>(p),
+            fail(input_fault::non_manifold_vertex, static_cast<std::size_t>(p),
                  m_.name_point(static_cast<std::size_t>(p)) + " joins two fans of facets with material between them, a tunnel of no width",
                  "move one fan a little away, with a point of its own");
   }
@@ -480,7 +480,7 @@ class solid_builder {
         const int p = point_beside(shells[i], passed);
         if (p < 0) {
           const auto f = static_cast<std::size_t>(shells[i][0]);
-          fail(input_fault::two_fans, f, m_.name_facet(f) + " belongs to a shell all points of which are points of another one",
+          fail(input_fault::non_manifold_vertex, f, m_.name_facet(f) + " belongs to a shell all points of which are points of another one",
                "move some of them a little away");
         }
         if (detail::box(rough_, std::span(&p, 1)).overlaps(boxes[j]) && encloses(shells[j], points_[p])) ++depth[i];
@@ -499,10 +499,10 @@ class solid_builder {
       }
     }
     if (wrong == shells.size())
-      fail(input_fault::inside_out, example, m_.name_facet(example) + " and all others are inside-out: their normals point inwards",
+      fail(input_fault::inverted, example, m_.name_facet(example) + " and all others are inside-out: their normals point inwards",
            "give --flip to reverse all facets");
     if (wrong > 0)
-      fail(input_fault::inside_out, example, m_.name_facet(example) + " and the shell it belongs to are inside-out",
+      fail(input_fault::inverted, example, m_.name_facet(example) + " and the shell it belongs to are inside-out",
            "reverse that shell: outer shells run counter-clockwise seen from outside, voids seen from inside");
   }
 

@@ -25,7 +25,7 @@
 #include "osteon/input/polygon.hpp"
 #include "osteon/models/polyhedra.hpp"
 
-namespace osteon::planar::models {
+namespace osteon::plane::models {
 
 using osteon::models::dice;
 using point = std::array<long, 2>;
@@ -570,4 +570,4 @@ inline std::string to_xy(const region& r) {
   return text;
 }
 
-}  // namespace osteon::planar::models
+}  // namespace osteon::plane::models

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-namespace osteon::planar::local {
+namespace osteon::plane::local {
 
 using cell = unsigned;
 using state = std::uint8_t;
@@ -110,4 +110,4 @@ constexpr const event* find(cell small, view seen) {
   return nullptr;
 }
 
-}  // namespace osteon::planar::local
+}  // namespace osteon::plane::local

@@ -19,7 +19,7 @@
 #include "osteon/plane/kernel.hpp"
 #include "osteon/plane/skeleton.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// The exact skeleton: places where at least three arcs meet, and the polygon's vertices.
 struct contracted_skeleton {
@@ -91,7 +91,7 @@ class contraction {
       if (!when)
         throw unsupported_error("held edges on one line face each other at the lines " + std::to_string(node.lines[0]) + ", " +
                                 std::to_string(node.lines[1]) + " and " + std::to_string(node.lines[2]) +
-                                ": whether the polygon is open between them cannot be told; cure: move one of them a little");
+                                ": whether the polygon is open between them cannot be told; hint: move one of them a little");
       if (!moment || k_.compare(*moment, *when) != sign::zero) {
         if (moment) merge_moment(*moment, first, n);
         moment = when;
@@ -171,7 +171,7 @@ class contraction {
   void collect_stretches() {
     find_ridges();
     std::unordered_map<int, std::vector<int>> passed;  // places on the way of an arc, in order of time
-    for (const auto& p : raw_.passes) {
+    for (const auto& p : raw_.interior_nodes) {
       const place& at = places_[place_of_[p.node]];
       for (const int f : raw_.arcs[p.arc].faces)
         if (raw_.nodes[at.raw].vertex >= 0 || side(line_[f], at) != sign::zero) broken_invariant<K>("an arc passes through its nodes");
@@ -398,4 +398,4 @@ contracted_skeleton contract(const K& k, const std::vector<int>& line_of_edge, c
   return contraction<K>(k, line_of_edge, raw).run();
 }
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

@@ -14,7 +14,7 @@
 #include "osteon/core/box_tree.hpp"
 #include "osteon/plane/kernel.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// Three lines that will meet, by what of the wavefront is on them: an edge that vanishes or, with a vertex, is hit by it.
 struct candidate {
@@ -42,8 +42,8 @@ class event_queue {
 
   /// Takes portions until the first event is known. warm(candidates) is told of each, and meet(candidate) gives the meeting, or nothing where the
   /// candidate is no longer one. Must be called before top() and pop() after every change.
-  template <class Warm, class Meet>
-  void advance(Warm warm, Meet meet) {
+  template <class Prefetch, class Meet>
+  void advance(Prefetch prefetch_around, Meet meet) {
     if (!sliced_) slice();
     while (waiting_ > 0 && (heap_.empty() || heap_.front().when.last >= next_begin())) {
       if (taken_ == current_.size()) {
@@ -57,7 +57,7 @@ class event_queue {
       const auto portion = std::span<const candidate>(current_).subspan(taken_, std::min(per_portion, current_.size() - taken_));
       taken_ += portion.size();
       waiting_ -= portion.size();
-      warm(portion);
+      prefetch_around(portion);
       for (const candidate& c : portion)
         if (const auto m = meet(c)) enter({*m, c});
     }
@@ -173,4 +173,4 @@ class event_queue {
   bool sliced_ = false;
 };
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

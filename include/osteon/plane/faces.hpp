@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "osteon/core/error.hpp"
+#include "osteon/plane/boundary.hpp"
 #include "osteon/plane/contract.hpp"
-#include "osteon/plane/outline.hpp"
 #include "osteon/plane/skeleton.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// Walks through the nodes of a contracted skeleton. Each arc is passed twice, once each way, and each side of the polygon once.
 struct face_loops {
@@ -41,7 +41,7 @@ namespace detail {
 template <class Angle>
 class face_tracer {
  public:
-  face_tracer(const outline& o, const skeleton& raw, const contracted_skeleton& s, Angle angle) : o_(o), raw_(raw), s_(s), angle_(angle) {}
+  face_tracer(const boundary& o, const skeleton& raw, const contracted_skeleton& s, Angle angle) : o_(o), raw_(raw), s_(s), angle_(angle) {}
 
   face_loops run() {
     collect_sides();
@@ -215,7 +215,7 @@ class face_tracer {
     }
   }
 
-  const outline& o_;
+  const boundary& o_;
   const skeleton& raw_;
   const contracted_skeleton& s_;
   Angle angle_;
@@ -233,8 +233,8 @@ class face_tracer {
 /// node: a number that grows with the direction from there to another node, counter-clockwise in coordinates of place along the face's line and
 /// time. Throws unsupported_error for a skeleton with unbounded faces, invariant_error where arcs do not fit. Cost: sorting.
 template <class Angle>
-face_loops trace_faces(const outline& o, const skeleton& raw, const contracted_skeleton& s, Angle angle) {
+face_loops trace_faces(const boundary& o, const skeleton& raw, const contracted_skeleton& s, Angle angle) {
   return detail::face_tracer<Angle>(o, raw, s, angle).run();
 }
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

@@ -10,7 +10,7 @@
 #include "osteon/core/kernel.hpp"
 #include "osteon/core/sign.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// A line's number in the kernel: 0 .. size() - 1.
 using line_id = plane_id;
@@ -48,4 +48,4 @@ concept limit_kernel = planar_kernel<K> && requires(const K& k, line_id a, const
   { k.touches(a, a, a, m) } -> std::same_as<bool>;
 };
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

@@ -16,7 +16,7 @@
 #include "osteon/plane/kernel.hpp"
 #include "osteon/plane/skeleton.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// A moment t, and exact answers about the lines then.
 template <class I>
@@ -74,7 +74,7 @@ class wavefront_reader {
   // same moment.
   void find_living() {
     const auto is_past = [&](int n) {
-      while (n > 0 && raw_.nodes[n].late) --n;
+      while (n > 0 && raw_.nodes[n].zero_length) --n;
       return raw_.nodes[n].vertex >= 0 || at_.is_past(raw_.nodes[n].lines);
     };
     int end = static_cast<int>(raw_.nodes.size());
@@ -239,4 +239,4 @@ wavefront_rings wavefront_at(const skeleton& raw, const std::vector<int>& line_o
   return detail::wavefront_reader<I>(raw, line_of_edge, at).run();
 }
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

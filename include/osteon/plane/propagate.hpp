@@ -18,21 +18,21 @@
 #include "osteon/core/box_tree.hpp"
 #include "osteon/core/error.hpp"
 #include "osteon/core/prefetch.hpp"
+#include "osteon/plane/boundary.hpp"
 #include "osteon/plane/catalogue.hpp"
 #include "osteon/plane/event_queue.hpp"
 #include "osteon/plane/kernel.hpp"
-#include "osteon/plane/outline.hpp"
 #include "osteon/plane/skeleton.hpp"
 #include "osteon/plane/wavefront.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// Where lines meet and vertices move, as enclosures (see motion.hpp of the kernels). Decides nothing: it only spares the kernel questions.
 template <class M>
 concept motion_bounds = requires(const M& m, const triple& q, const triple* birth, line_id a, typename M::path p, double t) {
   { m.frame() } -> std::convertible_to<box>;
   { m.speed() } -> std::convertible_to<double>;
-  { m.is_held(a) } -> std::same_as<bool>;
+  { m.is_stationary(a) } -> std::same_as<bool>;
   { m.time(q) } -> std::same_as<interval>;
   { m.sharp_time(q) } -> std::same_as<interval>;
   { m.place(q) } -> std::same_as<box>;
@@ -40,7 +40,7 @@ concept motion_bounds = requires(const M& m, const triple& q, const triple* birt
   { m.swept(p, t, t) } -> std::same_as<box>;
 };
 
-struct options {
+struct skeleton_options {
   bool outside = false;  ///< the interior is not bounded: vertices may move for ever
   /// When to stop, in the motion's unit of time. Nothing later is computed; vertices that live then have no target.
   double until = std::numeric_limits<double>::infinity();
@@ -52,7 +52,7 @@ struct options {
 template <planar_kernel K, motion_bounds Motion>
 class propagation {
  public:
-  propagation(const K& k, const outline& polygon, const Motion& motion, const options& o = {})
+  propagation(const K& k, const boundary& polygon, const Motion& motion, const skeleton_options& o = {})
       : k_(k), polygon_(polygon), motion_(motion), options_(o), now_(k.start()), moment_(now_), queue_(k) {}
 
   /// Runs to the end. Throws unsupported_error (a part of the wavefront stands still for ever), undecided_error or invariant_error.
@@ -61,7 +61,7 @@ class propagation {
     if (!(motion_.speed() > 0)) never_vanishes(0);
     initialise();
     while (alive_ > 0) {
-      queue_.advance([this](std::span<const candidate> candidates) { warm(candidates); },
+      queue_.advance([this](std::span<const candidate> candidates) { prefetch_around(candidates); },
                      [this](const candidate& c) { return is_current(c) ? k_.meet(lines_of(c)) : std::nullopt; });
       if (window_.last < infinity) {
         if (queue_.empty() || !(queue_.top_time().last <= window_.last)) {
@@ -80,10 +80,10 @@ class propagation {
           continue;
         }
       } else {
-        if (queue_.empty() && !settle()) break;
+        if (queue_.empty() && !collapse_zero_length_edges()) break;
         if (queue_.empty()) continue;
       }
-      if ((!fresh_.empty() || !merged_.empty()) && !same_moment(queue_.top().when) && settle()) continue;
+      if ((!fresh_.empty() || !merged_.empty()) && !same_moment(queue_.top().when) && collapse_zero_length_edges()) continue;
       const auto [m, c] = queue_.pop();
       if (!is_current(c) || lines_of(c) != triple(k_.planes(m)) || k_.compare(m, now_) != sign::positive) continue;
       if (const auto found = read(c, m)) {
@@ -96,7 +96,7 @@ class propagation {
     }
     if (alive_ > 0 && !options_.outside && !(options_.until < infinity)) {
       for (const auto& e : front_.edges)
-        if (e.alive && !motion_.is_held(e.line)) broken_invariant<K>("the wavefront vanishes");
+        if (e.alive && !motion_.is_stationary(e.line)) broken_invariant<K>("the wavefront vanishes");
       never_vanishes(std::find_if(front_.edges.begin(), front_.edges.end(), [](const auto& e) { return e.alive; })->face);
     }
 
@@ -131,7 +131,7 @@ class propagation {
 
   [[noreturn]] static void never_vanishes(int edge) {
     throw unsupported_error("edges of weight zero, among them that of vertex " + std::to_string(edge) +
-                            ", enclose a part of the polygon that never vanishes; cure: give one of them a weight");
+                            ", enclose a part of the polygon that never vanishes; hint: give one of them a weight");
   }
 
   // ---- the start
@@ -488,7 +488,7 @@ class propagation {
 
   // Brings near what the handling of these candidates will ask for: their elements and their neighbours along the wavefront, step by step, at each of
   // which all wait together.
-  void warm(std::span<const candidate> candidates) {
+  void prefetch_around(std::span<const candidate> candidates) {
     for (const candidate& c : candidates) {
       prefetch(front_.edges[c.edge]);
       if (c.vertex >= 0) prefetch(front_.vertices[c.vertex]);
@@ -658,7 +658,7 @@ class propagation {
   // At the end of a moment. Where two reflex vertices meet, the edges between them vanish together; perturbed, one goes first and another one,
   // of length zero in the limit, would grow again. The skeleton is discontinuous there, and by its definition edges of length zero go (AAAG95, 2). So
   // they do: what that changes is infinitely small. Tells whether there was one.
-  bool settle() {
+  bool collapse_zero_length_edges() {
     bool any = false;
     if constexpr (limit_kernel<K>)
       for (std::size_t i = 0; i < fresh_.size(); ++i)
@@ -677,7 +677,7 @@ class propagation {
         if (!e.alive) continue;
         for (const int v : {e.tail, e.head})
           if (result_.arcs[front_.vertices[v].arc].source < m.node && k_.touches(m.other, front_.line_before(v), front_.line_after(v), moment_))
-            result_.passes.push_back({front_.vertices[v].arc, m.node});
+            result_.interior_nodes.push_back({front_.vertices[v].arc, m.node});
       }
     merged_.clear();
     fresh_.clear();
@@ -834,9 +834,9 @@ class propagation {
   }
 
   const K& k_;
-  const outline& polygon_;
+  const boundary& polygon_;
   const Motion& motion_;
-  const options options_;
+  const skeleton_options options_;
   wavefront front_;
   meeting now_;
   meeting moment_;  // the last one that has a moment in the limit
@@ -876,4 +876,4 @@ class propagation {
   box_tree vertex_boxes_;
 };
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

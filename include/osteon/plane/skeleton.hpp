@@ -10,7 +10,7 @@
 
 #include "osteon/core/kernel.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// What an event does to the wavefront: an edge vanishes, or a vertex cuts an edge in two.
 enum class event_class : std::uint8_t { edge, split };
@@ -18,10 +18,10 @@ enum class event_class : std::uint8_t { edge, split };
 /// The raw skeleton of a perturbed polygon: one node for each vertex and each event, in order of time; one arc for each moving vertex.
 struct skeleton {
   struct node {
-    int vertex;         ///< of the polygon, or -1
-    triple lines;       ///< that meet, ascending; of a vertex its two lines and -1
-    event_class event;  ///< meaningless for a vertex
-    bool late = false;  ///< the edge that vanishes has length zero in the limit only (see propagation::settle)
+    int vertex;                ///< of the polygon, or -1
+    triple lines;              ///< that meet, ascending; of a vertex its two lines and -1
+    event_class event;         ///< meaningless for a vertex
+    bool zero_length = false;  ///< the edge that vanishes has length zero in the limit only (see propagation::collapse_zero_length_edges)
   };
   struct arc {
     int source;
@@ -34,12 +34,12 @@ struct skeleton {
   /// same representative, itself one of them. The faces of arcs are representatives.
   std::vector<int> faces;
   /// An arc and a node through whose place it passes in the limit: an edge of length zero there has become part of another one on its line.
-  struct pass {
+  struct interior_node {
     int arc;
     int node;
   };
-  std::vector<pass> passes;
+  std::vector<interior_node> interior_nodes;
   std::array<int, 2> events{};  ///< by class
 };
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

@@ -12,7 +12,7 @@
 
 #include "osteon/plane/kernel.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// Rings of edges that never vanish, after all meetings of a perturbed kernel that are not infinitely late. On which side of a line a moving vertex
 /// is then, the meeting of the three lines tells: the distance is linear in time, and S is its slope but for the sign of lambda.
@@ -111,4 +111,4 @@ class last_wavefront {
   const typename K::meeting some_;
 };
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

@@ -40,13 +40,13 @@
 #include <utility>
 #include <vector>
 
+#include "osteon/plane/boundary.hpp"
 #include "osteon/plane/contract.hpp"
 #include "osteon/plane/kernel.hpp"
-#include "osteon/plane/outline.hpp"
 #include "osteon/plane/skeleton.hpp"
 #include "osteon/plane/terminal_wavefront.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// What a skeleton can break. structure: something named does not exist, or not once; order: not in order of time; start: what begins at the
 /// vertices; place: an arc ends where its lines do not meet; event: what happens at a node is no event; length: an edge has vanished before;
@@ -75,7 +75,7 @@ inline bool exists(int id, std::size_t size) { return id >= 0 && static_cast<std
 
 /// Rings of edges on lines of the kernel.
 template <planar_kernel K>
-void check_outline(const K& k, const outline& polygon) {
+void check_boundary(const K& k, const boundary& polygon) {
   const std::size_t n = polygon.next.size();
   demand(n <= std::numeric_limits<int>::max() / 4 && polygon.line.size() == n && polygon.rank.size() == n, rule::structure, "polygon of edges", n,
          "its lists have different lengths");
@@ -94,20 +94,20 @@ void check_outline(const K& k, const outline& polygon) {
 template <planar_kernel K>
 class verifier {
  public:
-  verifier(const K& k, const outline& polygon, const skeleton& s, bool outside, bool held)
-      : k_(k), polygon_(polygon), s_(s), outside_(outside), held_(held), now_(k.start()), crowd_(in_order{this}) {}
+  verifier(const K& k, const boundary& polygon, const skeleton& s, bool outside, bool stationary)
+      : k_(k), polygon_(polygon), s_(s), outside_(outside), stationary_(stationary), now_(k.start()), crowd_(in_order{this}) {}
   verifier(const verifier&) = delete;
   verifier& operator=(const verifier&) = delete;
 
   /// The first refutation, or nothing: certified.
   std::optional<refutation> run() {
     try {
-      certificate::check_outline(k_, polygon_);
+      certificate::check_boundary(k_, polygon_);
       check_structure();
       begin();
       for (std::size_t n = polygon_.next.size(); n < s_.nodes.size(); ++n) {
-        if (s_.nodes[n].late)
-          replay_late(static_cast<int>(n));
+        if (s_.nodes[n].zero_length)
+          replay_zero_length(static_cast<int>(n));
         else
           replay(static_cast<int>(n));
       }
@@ -157,7 +157,7 @@ class verifier {
       demand(q[0] >= 0 && q[0] < q[1] && q[1] < q[2] && q[2] < k_.size(), rule::structure, "node", i, "needs three lines, ascending");
       demand(node.event == event_class::edge || node.event == event_class::split, rule::structure, "node", i, "has no class of event");
     }
-    for (const auto& p : s_.passes) {
+    for (const auto& p : s_.interior_nodes) {
       demand(exists(p.arc, s_.arcs.size()) && exists(p.node, s_.nodes.size()) && s_.nodes[p.node].vertex < 0, rule::structure, "arc", p.arc,
              "is none, or passes through no event");
       demand(s_.arcs[p.arc].source < p.node && (s_.arcs[p.arc].target < 0 || p.node < s_.arcs[p.arc].target), rule::order, "arc", p.arc,
@@ -438,7 +438,7 @@ class verifier {
   }
 
   // An edge goes that in the limit, but not before, has length zero at the last moment.
-  void replay_late(int node) {
+  void replay_zero_length(int node) {
     const int ending = ends_.size(node);
     demand(ending == 2 || ending == 3, rule::event, "node", node, "is late and does not end two arcs or three");
     int e = -1;
@@ -636,7 +636,7 @@ class verifier {
       const auto m = k_.meet(q);
       demand(!m || k_.compare(*m, now_) != sign::positive || is_never(*m), rule::end, "arc", a, "never ends, but an edge beside it vanishes");
     }
-    if (held_)
+    if (stationary_)
       check_rings(left);
     else
       check_turns(left);
@@ -685,10 +685,10 @@ class verifier {
   }
 
   const K& k_;
-  const outline& polygon_;
+  const boundary& polygon_;
   const skeleton& s_;
   const bool outside_;
-  const bool held_;
+  const bool stationary_;
   meeting now_;
   std::optional<meeting> moment_;  // the last one that has a moment in the limit
   std::vector<int> shifted_;       // edges whose ends a late event has moved
@@ -712,20 +712,20 @@ class verifier {
 /// wrong, does harm. Time O(n log n), about ten predicates for each event, and with `outside` and `held` quadratic in the number of edges that never
 /// vanish; memory linear.
 template <planar_kernel K>
-std::optional<refutation> verify(const K& k, const outline& polygon, const skeleton& raw, bool outside = false, bool held = false) {
-  return verifier<K>(k, polygon, raw, outside, held).run();
+std::optional<refutation> verify(const K& k, const boundary& polygon, const skeleton& raw, bool outside = false, bool stationary = false) {
+  return verifier<K>(k, polygon, raw, outside, stationary).run();
 }
 
 /// Checks a contracted skeleton against a certified raw one, under the kernel below the perturbation.
 template <planar_kernel K>
 class contraction_verifier {
  public:
-  contraction_verifier(const K& k, const outline& polygon, const skeleton& raw, const contracted_skeleton& given)
+  contraction_verifier(const K& k, const boundary& polygon, const skeleton& raw, const contracted_skeleton& given)
       : k_(k), polygon_(polygon), raw_(raw), s_(given) {}
 
   std::optional<refutation> run() {
     try {
-      certificate::check_outline(k_, polygon_);
+      certificate::check_boundary(k_, polygon_);
       check_nodes();
       check_arcs();
       check_vertices();
@@ -887,7 +887,7 @@ class contraction_verifier {
   }
 
   const K& k_;
-  const outline& polygon_;
+  const boundary& polygon_;
   const skeleton& raw_;
   const contracted_skeleton& s_;
   std::vector<meeting> when_;
@@ -898,8 +898,8 @@ class contraction_verifier {
 /// by itself first (places, times, faces around each node) and then compared with what contraction makes of the raw skeleton. Expected linear time,
 /// but for sorting.
 template <planar_kernel K>
-std::optional<refutation> verify_contraction(const K& k, const outline& polygon, const skeleton& raw, const contracted_skeleton& contracted) {
+std::optional<refutation> verify_contraction(const K& k, const boundary& polygon, const skeleton& raw, const contracted_skeleton& contracted) {
   return contraction_verifier<K>(k, polygon, raw, contracted).run();
 }
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

@@ -10,7 +10,7 @@
 
 #include "osteon/plane/kernel.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// Rings of edges, the interior on their left. Dead elements keep their numbers.
 struct wavefront {
@@ -88,4 +88,4 @@ struct wavefront {
   }
 };
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

@@ -57,7 +57,7 @@ class contraction {
     merge_nodes();
     subdivide_arcs();
     find_pieces();
-    settle_stretches();
+    decide_stretches();
     join_sheets();
     collect();
     return std::move(result_);
@@ -138,7 +138,7 @@ class contraction {
       stops.push_back(to);
       for (std::size_t i = 1; i < stops.size(); ++i) {
         auto& polygons = stretches_[std::minmax(stops[i - 1], stops[i])].raw;
-        for (const int s : a.sheets) ++polygons[raw_.sheets[static_cast<std::size_t>(s)].polygon];
+        for (const int s : a.sheets) ++polygons[raw_.sheets[static_cast<std::size_t>(s)].representative];
       }
     }
   }
@@ -201,7 +201,7 @@ class contraction {
     for (const auto& s : raw_.sheets)
       if (s.input_edge >= 0) {
         const auto& e = solid_.edges[static_cast<std::size_t>(s.input_edge)];
-        floors[s.polygon].emplace_back(e.ends[0], e.ends[1]);  // vertices come first among nodes and places
+        floors[s.representative].emplace_back(e.ends[0], e.ends[1]);  // vertices come first among nodes and places
       }
     for (const auto& [polygon, stretches] : borders)
       for (auto& part : connected_parts(polygon, stretches, floors[polygon])) {
@@ -248,7 +248,7 @@ class contraction {
 
   // The perturbation may leave an arc just beside a sheet that contains it in the limit, or a spike of no width along
   // an arc. So what a piece has to do with a stretch is decided anew: a border (once), inside (on both sides), nothing.
-  void settle_stretches() {
+  void decide_stretches() {
     for (int i = 0; i < static_cast<int>(pieces_.size()); ++i)
       for (const stretch& e : pieces_[static_cast<std::size_t>(i)].borders) stretches_[e].pieces[i] = 1;
     for (auto& [ends, on] : stretches_) {

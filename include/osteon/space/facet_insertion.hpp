@@ -19,7 +19,7 @@
 namespace osteon {
 
 /// One way to do so: facet `plane` between the two facets of the edge number `side` at a vertex.
-struct flood {
+struct facet_insertion {
   int vertex;
   std::size_t side;
   plane_id plane;
@@ -31,8 +31,8 @@ struct flood {
 /// just after the start each lies on the facet's side of the other. Decided in the plane across the edge; the fourth
 /// plane of the predicates only cuts it out.
 template <kernel K>
-std::vector<flood> floods_at(const K& k, const boundary& b, int vertex) {
-  std::vector<flood> result;
+std::vector<facet_insertion> facet_insertions_at(const K& k, const boundary& b, int vertex) {
+  std::vector<facet_insertion> result;
   const auto& v = b.vertices[static_cast<std::size_t>(vertex)];
   const std::size_t n = v.facets.size();
   for (std::size_t m = 0; m < n; ++m) {
@@ -57,7 +57,7 @@ std::vector<flood> floods_at(const K& k, const boundary& b, int vertex) {
 }
 
 /// The boundary after a flood; the edge of before keeps its number for its first half, the second half is the last edge.
-inline boundary after_flood(boundary b, const flood& f) {
+inline boundary after_insertion(boundary b, const facet_insertion& f) {
   const int e = b.vertices[static_cast<std::size_t>(f.vertex)].edges[f.side];
   const auto old = b.edges[static_cast<std::size_t>(e)];
   const int second = static_cast<int>(b.edges.size());

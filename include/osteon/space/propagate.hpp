@@ -29,7 +29,7 @@ namespace osteon {
 /// slower or faster (by the angle between its facets' normals; the convex and the reflex one in a tie).
 enum class saddle_rule : std::uint8_t { convex, reflex, slower, faster };
 
-struct options {
+struct skeleton_options {
   split_preference prefer = split_preference::convex;
   saddle_rule saddle = saddle_rule::convex;
   /// Where given, nothing is preferred: splits (see random_split) and outcomes of saddles are drawn, the same ones for the same number.
@@ -46,7 +46,7 @@ constexpr saddle_rule default_saddle(split_preference p) {
 template <kernel K>
 class propagation {
  public:
-  propagation(const K& k, const boundary& solid, const options& o)
+  propagation(const K& k, const boundary& solid, const skeleton_options& o)
       : k_(k), solid_(solid), options_(o), front_(solid.planes), now_(k.start()), queue_(later{&k}) {}
 
   /// Runs to the end. Throws degenerate_error, unsupported_error, undecided_error or invariant_error. A candidate costs one
@@ -134,24 +134,24 @@ class propagation {
         unproven[v] = !tree->proven;
         continue;
       }
-      std::vector<flood> floods;
+      std::vector<facet_insertion> insertions;
       for (const bool calm : {true, false})
-        for (int most = 1; most <= most_floods && floods.empty(); ++most) floods = find_floods(solid_, v, most, calm);
-      if (floods.empty()) {
+        for (int most = 1; most <= most_insertions && insertions.empty(); ++most) insertions = find_insertions(solid_, v, most, calm);
+      if (insertions.empty()) {
         const auto& f = solid_.vertices[v].facets;
-        if (f.size() == input_degrees_[v] && floods_at(k_, solid_, v).empty())
+        if (f.size() == input_degrees_[v] && facet_insertions_at(k_, solid_, v).empty())
           broken_invariant<K>("a vertex of degree " + std::to_string(f.size()) + " has a valid split");
         // Floods chase each other along an edge for ever.
         throw unsupported_error("not yet: the vertex of planes " + std::to_string(f[0]) + ", " + std::to_string(f[1]) + " and " +
                                 std::to_string(f[2]) +
-                                " cannot be split, because a third facet contains the line of one of its edges; cure: move that facet a little");
+                                " cannot be split, because a third facet contains the line of one of its edges; hint: move that facet a little");
       }
       waiting.push_back(v);
-      for (const flood& f : floods) {
+      for (const facet_insertion& f : insertions) {
         const int e = solid_.vertices[v].edges[f.side];
         waiting.push_back(solid_.edges[e].ends[solid_.edges[e].ends[0] == v ? 1 : 0]);
         origin_.push_back(origin_[e]);
-        solid_ = after_flood(std::move(solid_), f);
+        solid_ = after_insertion(std::move(solid_), f);
       }
     }
     result_.unproven_splits = static_cast<int>(std::count(unproven.begin(), unproven.end(), true));
@@ -160,28 +160,28 @@ class propagation {
 
   // So many floods, one after the other, after which a vertex has a valid split and, if `calm`, the other ends have one too; empty where
   // there are none.
-  std::vector<flood> find_floods(const boundary& b, int v, int number, bool calm) const {
-    for (const flood& f : floods_at(k_, b, v)) {
-      const boundary next = after_flood(b, f);
+  std::vector<facet_insertion> find_insertions(const boundary& b, int v, int number, bool calm) const {
+    for (const facet_insertion& f : facet_insertions_at(k_, b, v)) {
+      const boundary next = after_insertion(b, f);
       const auto& ends = b.edges[b.vertices[v].edges[f.side]].ends;
       if (calm && !split(next, ends[ends[0] == v ? 1 : 0])) continue;
       if (number == 1) {
         if (split(next, v)) return {f};
         continue;
       }
-      std::vector<flood> more = find_floods(next, v, number - 1, calm);
+      std::vector<facet_insertion> more = find_insertions(next, v, number - 1, calm);
       if (more.empty()) continue;
       more.insert(more.begin(), f);
       return more;
     }
     return {};
   }
-  static constexpr int most_floods = 3;
+  static constexpr int most_insertions = 3;
 
   // The preferred tree of a vertex, empty where it needs none; nothing where it has none.
   std::optional<chosen_split> split(const boundary& b, int v) const {
     if (b.vertices[v].facets.size() == 3 || b.vertices[v].is_majority()) return chosen_split{{}, true};
-    if (b.vertices[v].facets.size() > input_degrees_[v] + most_floods) return std::nullopt;
+    if (b.vertices[v].facets.size() > input_degrees_[v] + most_insertions) return std::nullopt;
     const corner c = corner_at(b, v);
     return options_.explore ? random_split(k_, c, mixed(*options_.explore, v)) : preferred_split(k_, c, options_.prefer);
   }
@@ -199,7 +199,7 @@ class propagation {
         if (e.rays[1] >= 0) {
           const auto [p, q] = std::minmax({root(solid_.vertices[v].edges[e.rays[0]]), root(solid_.vertices[v].edges[e.rays[1]])});
           same[q] = p;
-          result_.sheets[polygon_of(q)].polygon = polygon_of(p);
+          result_.sheets[polygon_of(q)].representative = polygon_of(p);
         }
     for (int e = 0; e < static_cast<int>(same.size()); ++e) {
       const auto [p, q] = std::minmax({solid_.edges[e].planes[0], solid_.edges[e].planes[1]});
@@ -242,7 +242,8 @@ class propagation {
   }
 
   int polygon_of(int sheet) {
-    while (result_.sheets[sheet].polygon != sheet) sheet = result_.sheets[sheet].polygon = result_.sheets[result_.sheets[sheet].polygon].polygon;
+    while (result_.sheets[sheet].representative != sheet)
+      sheet = result_.sheets[sheet].representative = result_.sheets[result_.sheets[sheet].representative].representative;
     return sheet;
   }
 
@@ -472,7 +473,7 @@ class propagation {
     std::vector<segment> edges;
     edges.reserve(ids.size());
     for (const int e : ids) edges.push_back(front_.edges()[e]);
-    return look(k_, edges, q[r], others[0], others[1], true, m, others[2]).value_or(false);
+    return locate_in_facet(k_, edges, q[r], others[0], others[1], true, m, others[2]).value_or(false);
   }
 
   // ---- the event
@@ -548,7 +549,7 @@ class propagation {
         const auto gone = front_.edges()[at_l];
         const int far = 1 - end_towards(at_l, l, side(local::far_l, pair.l));
         front_.remove_edge(at_l);
-        result_.sheets[polygon_of(gone.sheet)].polygon = polygon_of(front_.edges()[at_k].sheet);
+        result_.sheets[polygon_of(gone.sheet)].representative = polygon_of(front_.edges()[at_k].sheet);
         front_.attach(at_k, far, gone.ends[far], gone.third[far], gone.inside[far]);
         changed.push_back(at_k);
       }
@@ -613,7 +614,7 @@ class propagation {
   // ---- the end
 
   void finish() {
-    for (std::size_t s = 0; s < result_.sheets.size(); ++s) result_.sheets[s].polygon = polygon_of(static_cast<int>(s));
+    for (std::size_t s = 0; s < result_.sheets.size(); ++s) result_.sheets[s].representative = polygon_of(static_cast<int>(s));
     for (std::size_t a = 0; a < result_.arcs.size(); ++a) {
       if (result_.arcs[a].target < 0) broken_invariant<K>("every arc ends");
       for (const int s : result_.arcs[a].sheets) result_.sheets[s].arcs.push_back(static_cast<int>(a));
@@ -627,7 +628,7 @@ class propagation {
   boundary solid_;                          // floods change it
   std::vector<std::size_t> input_degrees_;  // of the vertices before them
   std::vector<int> origin_;                 // by edge: the input's edge that it was
-  options options_;
+  skeleton_options options_;
   wavefront front_;
   skeleton result_;
   meeting now_;
@@ -641,7 +642,7 @@ class propagation {
 
 /// The straight skeleton of a solid under a kernel that has its planes. See propagation::run for errors and cost.
 template <kernel K>
-skeleton straight_skeleton(const K& k, const boundary& solid, const options& o = {}) {
+skeleton straight_skeleton(const K& k, const boundary& solid, const skeleton_options& o = {}) {
   return propagation<K>(k, solid, o).run();
 }
 

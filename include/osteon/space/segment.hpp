@@ -64,8 +64,8 @@ bool on_segment(const K& k, const segment& e, plane_id x, const typename K::meet
 /// edge is met. Requires that the corner lies on none of the edges. A fourth plane that passes through the corner must be named. The line of sight is
 /// moved a little to the inner side of i, so that it meets no end of an edge. Linear in the number of edges.
 template <kernel K, class Segments>
-std::optional<bool> look(const K& k, const Segments& edges_of_l, plane_id l, plane_id i, plane_id j, bool into_j, const typename K::meeting& m,
-                         plane_id fourth = -1) {
+std::optional<bool> locate_in_facet(const K& k, const Segments& edges_of_l, plane_id l, plane_id i, plane_id j, bool into_j,
+                                    const typename K::meeting& m, plane_id fourth = -1) {
   const segment* nearest = nullptr;
   bool corner_inside = false;  // of the nearest edge's other plane
   for (const segment& e : edges_of_l) {

@@ -34,7 +34,7 @@ struct skeleton {
     std::array<plane_id, 2> facets;  ///< ascending
     int input_edge;                  ///< the edge of the solid that swept it first, or -1
     /// Sheets of collinear edges that merged are one polygon: all name the same representative, itself one of them.
-    int polygon;
+    int representative;
     std::vector<int> arcs;
   };
   std::vector<node> nodes;

@@ -109,7 +109,7 @@ class splitter {
   std::vector<split_tree> candidates() const {
     if (signs_.degree() > greatest_split_degree)
       throw unsupported_error("a list of all trees of a vertex of degree " + std::to_string(signs_.degree()) + " (at most " +
-                              std::to_string(greatest_split_degree) + "); cure: search them");
+                              std::to_string(greatest_split_degree) + "); hint: search them");
     std::vector<split_tree> result;
     for_each_triangulation(signs_.degree(), [&](std::span<const std::pair<int, int>> diagonals) {
       split_tree t;
@@ -305,7 +305,7 @@ class splitter {
       for (const segment& e : facet)
         if (e.other(l) != first && signs_.meet(l, first, e.other(l))) across.push_back(e);
       for (const bool into : {true, false})
-        if (const auto seen = look(k, across, l, first, second, into, signs_.start())) return *seen;
+        if (const auto seen = locate_in_facet(k, across, l, first, second, into, signs_.start())) return *seen;
     }
     const auto& [facets, convex] = signs_.of();
     const std::size_t n = facets.size();

@@ -194,7 +194,8 @@ class verifier {
       const auto& sheet = s_.sheets[s];
       demand(plane(sheet.facets[0]) && plane(sheet.facets[1]) && sheet.facets[0] < sheet.facets[1], rule::structure, "sheet", s,
              "needs two facets, ascending");
-      demand(valid(s_.sheets, sheet.polygon) && s_.sheets[sheet.polygon].polygon == sheet.polygon, rule::structure, "sheet", s, "has no polygon");
+      demand(valid(s_.sheets, sheet.representative) && s_.sheets[sheet.representative].representative == sheet.representative, rule::structure,
+             "sheet", s, "has no polygon");
       demand(sheet.input_edge == -1 || valid(solid_.edges, sheet.input_edge), rule::structure, "sheet", s, "names an edge that is not there");
       for (const int a : sheet.arcs) demand(valid(s_.arcs, a), rule::structure, "sheet", s, "names an arc that is not there");
     }
@@ -244,7 +245,7 @@ class verifier {
           const int s = arc.sheets[next++];
           demand(s_.sheets[s].facets == others(arc.planes, t), rule::incidence, "arc", a, "lies on the border of a sheet of other facets");
           of_sheet[s].push_back(a);
-          bend& known = bend_[s_.sheets[s].polygon];
+          bend& known = bend_[s_.sheets[s].representative];
           demand(known == bend::none || known == kind, rule::incidence, "sheet", s, "is convex at one arc and reflex at another");
           known = kind;
         }
@@ -264,7 +265,7 @@ class verifier {
     for (int s = 0; s < static_cast<int>(s_.sheets.size()); ++s) {
       const auto& sheet = s_.sheets[s];
       demand(same(of_sheet[s], sheet.arcs), rule::incidence, "sheet", s, "does not list the arcs on its border");
-      demand(s_.sheets[sheet.polygon].facets == sheet.facets, rule::incidence, "sheet", s, "is part of a polygon of other facets");
+      demand(s_.sheets[sheet.representative].facets == sheet.facets, rule::incidence, "sheet", s, "is part of a polygon of other facets");
       for (const plane_id f : sheet.facets) of_cell[f].push_back(s);
     }
     for (int c = 0; c < static_cast<int>(s_.cells.size()); ++c)
@@ -313,13 +314,13 @@ class verifier {
     std::map<std::pair<int, plane_id>, int> sides;
     for (const auto& sheet : s_.sheets) {
       if (sheet.input_edge < 0) continue;
-      for (const int v : solid_.edges[sheet.input_edge].ends) ++ends[{sheet.polygon, v}];
+      for (const int v : solid_.edges[sheet.input_edge].ends) ++ends[{sheet.representative, v}];
       for (const plane_id f : sheet.facets) ++sides[{sheet.input_edge, f}];
     }
     for (const auto& a : s_.arcs) {
       const int v = s_.nodes[a.source].vertex;
       if (v < 0) continue;
-      for (const int s : a.sheets) ++ends[{s_.sheets[s].polygon, v}];
+      for (const int s : a.sheets) ++ends[{s_.sheets[s].representative, v}];
     }
     for (const auto& [at, times] : ends)
       demand(times % 2 == 0, rule::border, "sheet", at.first, ("has an open border at vertex " + std::to_string(at.second)).c_str());
@@ -394,7 +395,7 @@ class verifier {
     const auto are_one = [&](int s, int t) {
       if (s < 0 || t < 0) return true;
       joined.emplace_back(s, t);
-      return s_.sheets[s].polygon == s_.sheets[t].polygon;
+      return s_.sheets[s].representative == s_.sheets[t].representative;
     };
     for (unsigned i = 0; i < 4; ++i)
       for (unsigned j = i + 1; j < 4; ++j) {
@@ -492,9 +493,9 @@ class verifier {
     std::map<std::pair<int, int>, int> at_vertex;  // by polygon and vertex
     for (int s = 0; s < static_cast<int>(s_.sheets.size()); ++s)
       if (const int e = s_.sheets[s].input_edge; e >= 0)
-        for (const int v : solid_.edges[e].ends) parent[root(s)] = root(at_vertex.try_emplace({s_.sheets[s].polygon, v}, s).first->second);
+        for (const int v : solid_.edges[e].ends) parent[root(s)] = root(at_vertex.try_emplace({s_.sheets[s].representative, v}, s).first->second);
     for (int s = 0; s < static_cast<int>(s_.sheets.size()); ++s)
-      demand(root(s) == root(s_.sheets[s].polygon), rule::link, "sheet", s, "belongs to a polygon that it has no connection with");
+      demand(root(s) == root(s_.sheets[s].representative), rule::link, "sheet", s, "belongs to a polygon that it has no connection with");
   }
 
   void check_counts() const {
@@ -684,20 +685,20 @@ class verifier {
       };
       std::set<int> arcs;
       for (const int s : s_.cells[f]) {
-        parent.emplace(s_.sheets[s].polygon, s_.sheets[s].polygon);
+        parent.emplace(s_.sheets[s].representative, s_.sheets[s].representative);
         arcs.insert(s_.sheets[s].arcs.begin(), s_.sheets[s].arcs.end());
       }
       std::set<int> low;
       for (const int s : s_.cells[f])
-        if (s_.sheets[s].input_edge >= 0) low.insert(s_.sheets[s].polygon);
+        if (s_.sheets[s].input_edge >= 0) low.insert(s_.sheets[s].representative);
       for (const int a : arcs) {
         int first = -1;
         for (const int s : s_.arcs[a].sheets) {
           const auto& sheet = s_.sheets[s];
           if (sheet.facets[0] != f && sheet.facets[1] != f) continue;
-          if (first >= 0) parent[root(sheet.polygon)] = root(first);
-          first = sheet.polygon;
-          if (s_.nodes[s_.arcs[a].source].vertex >= 0) low.insert(sheet.polygon);
+          if (first >= 0) parent[root(sheet.representative)] = root(first);
+          first = sheet.representative;
+          if (s_.nodes[s_.arcs[a].source].vertex >= 0) low.insert(sheet.representative);
         }
       }
       std::set<int> grounded;

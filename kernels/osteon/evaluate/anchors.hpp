@@ -17,12 +17,12 @@
 namespace osteon {
 
 /// The vertex where an edge of each line starts (see round_planes); none at all where coordinates are too long for doubles. Cost: linear.
-inline std::vector<std::array<double, 2>> anchors_of(const planar::polygon<integer>& p) {
+inline std::vector<std::array<double, 2>> anchors_of(const plane::polygon<integer>& p) {
   std::vector<std::array<double, 2>> anchors(p.lines.size());
   for (std::size_t i = 0; i < p.points.size(); ++i) {
     const auto& point = p.points[i];
     if (std::max(bit_length(point[0]), bit_length(point[1])) > 53) return {};
-    anchors[p.outline.line[i]] = {to_double(point[0], 0), to_double(point[1], 0)};
+    anchors[p.boundary.line[i]] = {to_double(point[0], 0), to_double(point[1], 0)};
   }
   return anchors;
 }

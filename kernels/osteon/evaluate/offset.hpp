@@ -19,7 +19,7 @@
 #include "osteon/plane/offset.hpp"
 #include "osteon/plane/skeleton.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// A polygon with holes, or several: in the units of the input.
 template <class Number>
@@ -112,7 +112,7 @@ class offsets {
   /// Rings as numbers of arcs. Throws input_error for a negative time. Cost: see wavefront_at.
   wavefront_rings wavefront(const rational& time) const {
     if (time < 0) throw input_error(input_fault::bad_number, 0, "an offset at a negative time", "give a time of zero or more");
-    return wavefront_at(raw_, polygon_.outline.line, instant(polygon_.lines, lines_, places_.unit().to_integers(time)));
+    return wavefront_at(raw_, polygon_.boundary.line, instant(polygon_.lines, lines_, places_.unit().to_integers(time)));
   }
 
   /// With points as doubles, correct to a few units in the last place relative to the polygon's size: edges shorter than that may come to nothing.
@@ -144,8 +144,8 @@ class offsets {
       to.part = r.part;
       for (int i = r.first; i < r.first + r.size; ++i) {
         const auto& arc = raw_.arcs[w.corners[i].arc];
-        const line_id a = polygon_.outline.line[arc.faces[0]];
-        const line_id b = polygon_.outline.line[arc.faces[1]];
+        const line_id a = polygon_.boundary.line[arc.faces[0]];
+        const line_id b = polygon_.boundary.line[arc.faces[1]];
         to.points.push_back(place(a, b));
         to.edges.push_back(w.corners[i].face);
       }
@@ -160,4 +160,4 @@ class offsets {
   fast_locator places_;
 };
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

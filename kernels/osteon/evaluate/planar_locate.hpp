@@ -101,16 +101,16 @@ inline double_double to_double_double(const rational& x) {
   return double_double::quick_sum(high, rational(x - rational(high)).convert_to<double>());
 }
 
-namespace planar {
+namespace plane {
 
 /// Between a polygon's integers and the units of its input. Time there is distance divided by weight.
-struct units {
+struct input_scale {
   std::array<integer, 2> shift{};
   rational length = 1;  ///< of one integer unit of length, in the input's
   rational moment = 1;  ///< of one integer unit of time, in the input's
 
-  units() = default;
-  explicit units(const polygon<integer>& p)
+  input_scale() = default;
+  explicit input_scale(const polygon<integer>& p)
       : shift(p.shift), length(power_of(p.ten, p.two)), moment(power_of(p.ten - p.weight_ten, p.two - p.weight_two)) {}
 
   rational to_integers(const rational& time) const { return time / moment; }
@@ -255,7 +255,7 @@ class fast_locator {
     moment_ = to_double_double(rational(units_.moment * power_of(0, lines.shift - lines.weight_shift)));
   }
 
-  const units& unit() const { return units_; }
+  const input_scale& unit() const { return units_; }
 
   /// A vertex of the polygon.
   located vertex(int v) const {
@@ -323,7 +323,7 @@ class fast_locator {
   const polygon<integer>& polygon_;
   const unit_lines& lines_;
   locator exact_;
-  units units_;
+  input_scale units_;
   double_double length_, moment_;
   std::array<double_double, 2> shift_;
 };
@@ -417,5 +417,5 @@ class instant {
   double_double t_;
 };
 
-}  // namespace planar
+}  // namespace plane
 }  // namespace osteon

@@ -22,7 +22,7 @@
 #include "osteon/plane/faces.hpp"
 #include "osteon/plane/skeleton.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// How a roof is built.
 struct roof_options {
@@ -64,7 +64,7 @@ class roof_builder {
   roof_builder(const polygon<integer>& p, const skeleton& raw, const contracted_skeleton& s, const roof_options& options)
       : polygon_(p), s_(s), options_(options), lines_(p.lines, p.points), locator_(p, lines_) {
     for (const auto& n : s.nodes) places_.push_back(n.vertex >= 0 ? locator_.vertex(n.vertex) : locator_.meeting(n.lines));
-    loops_ = trace_faces(p.outline, raw, s, [this](int face, int node, int other) {
+    loops_ = trace_faces(p.boundary, raw, s, [this](int face, int node, int other) {
       const flat_point a = in_face(face, places_[node]);
       const flat_point b = in_face(face, places_[other]);
       return std::atan2(b[1] - a[1], b[0] - a[0]);
@@ -105,7 +105,7 @@ class roof_builder {
  private:
   // Place along the face's line, and time, in comparable units.
   flat_point in_face(int face, const located& p) const {
-    const auto& n = lines_.lines[polygon_.outline.line[face]].n;
+    const auto& n = lines_.lines[polygon_.boundary.line[face]].n;
     const located& origin = places_[0];
     return {n[0].high * (p.y - origin.y) - n[1].high * (p.x - origin.x), p.time};
   }
@@ -243,4 +243,4 @@ inline void write_obj(std::ostream& out, const roof_mesh& m) {
   out.precision(precision);
 }
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

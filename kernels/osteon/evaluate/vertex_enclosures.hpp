@@ -18,13 +18,14 @@
 #include "osteon/kernel/to_double.hpp"
 #include "osteon/plane/kernel.hpp"
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// Follows vertices of two lines. All results are enclosures: rounding errors are bounded and added.
-class motion {
+class vertex_enclosures {
  public:
   /// Lines, and the points of the polygon: nothing leaves their box, unless it moves outside of the polygon.
-  motion(std::span<const moving_line<integer>> lines, std::span<const std::array<integer, 2>> points, bool outside = false) : lines_(lines) {
+  vertex_enclosures(std::span<const moving_line<integer>> lines, std::span<const std::array<integer, 2>> points, bool outside = false)
+      : lines_(lines) {
     int coordinate_bits = 0;
     for (const auto& p : points)
       for (const integer& x : p) coordinate_bits = std::max(coordinate_bits, bit_length(x));
@@ -52,7 +53,7 @@ class motion {
   /// The greatest speed of a line.
   double speed() const { return speed_; }
   /// Whether a line does not move.
-  bool is_held(line_id l) const { return units_[l].speed == 0; }
+  bool is_stationary(line_id l) const { return units_[l].speed == 0; }
   /// What belongs to this line will be asked for soon.
   void prefetch(line_id l) const { osteon::prefetch(units_[l]); }
 
@@ -217,4 +218,4 @@ class motion {
   std::span<const moving_line<integer>> lines_;
 };
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane

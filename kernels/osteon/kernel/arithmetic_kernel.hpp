@@ -91,7 +91,7 @@ sign parity(std::array<plane_id, N> q) {
 /// Kernel of space or of the plane over an `Arithmetic` (see forms.hpp) with, in addition, `is_exact`, decide_offset(D), which tells whether planes
 /// meet at time zero, angle_order(a, b, c, d) and volume_order(tree, tree). Nothing is cached: a predicate costs its formula.
 template <class Arithmetic>
-class direct_kernel {
+class arithmetic_kernel {
  public:
   static constexpr bool exact = Arithmetic::is_exact;
   static constexpr int dimension = Arithmetic::dimension;
@@ -104,7 +104,7 @@ class direct_kernel {
   };
   using bisector_type = swept_plane;
 
-  explicit direct_kernel(Arithmetic a) : f_(std::move(a)) {}
+  explicit arithmetic_kernel(Arithmetic a) : f_(std::move(a)) {}
   const Arithmetic& arithmetic() const { return f_.arithmetic(); }
 
   plane_id size() const { return f_.arithmetic().size(); }

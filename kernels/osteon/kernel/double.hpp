@@ -49,8 +49,8 @@ class basic_double_arithmetic : public estimated_planes<Dimension> {
 };
 
 using double_arithmetic = basic_double_arithmetic<3>;
-using double_kernel = direct_kernel<double_arithmetic>;
-using planar_double_kernel = direct_kernel<basic_double_arithmetic<2>>;
+using double_kernel = arithmetic_kernel<double_arithmetic>;
+using planar_double_kernel = arithmetic_kernel<basic_double_arithmetic<2>>;
 
 inline double_kernel make_double_kernel(std::span<const moving_plane<integer>> planes) { return double_kernel(double_arithmetic(planes)); }
 inline planar_double_kernel make_double_kernel(std::span<const moving_line<integer>> lines) {

@@ -66,8 +66,8 @@ class basic_rational_arithmetic : public integer_planes<Dimension> {
 };
 
 using rational_arithmetic = basic_rational_arithmetic<3>;
-using rational_kernel = direct_kernel<rational_arithmetic>;
-using planar_rational_kernel = direct_kernel<basic_rational_arithmetic<2>>;
+using rational_kernel = arithmetic_kernel<rational_arithmetic>;
+using planar_rational_kernel = arithmetic_kernel<basic_rational_arithmetic<2>>;
 
 inline rational_kernel make_rational_kernel(std::span<const moving_plane<integer>> planes) { return rational_kernel(rational_arithmetic(planes)); }
 inline planar_rational_kernel make_rational_kernel(std::span<const moving_line<integer>> lines) {

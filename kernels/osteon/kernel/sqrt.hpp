@@ -152,8 +152,8 @@ class basic_sqrt_arithmetic : public integer_planes<Dimension> {
 };
 
 using sqrt_arithmetic = basic_sqrt_arithmetic<3>;
-using sqrt_kernel = direct_kernel<sqrt_arithmetic>;
-using planar_sqrt_kernel = direct_kernel<basic_sqrt_arithmetic<2>>;
+using sqrt_kernel = arithmetic_kernel<sqrt_arithmetic>;
+using planar_sqrt_kernel = arithmetic_kernel<basic_sqrt_arithmetic<2>>;
 
 /// The exact kernel of unit (or weighted) speeds for these planes.
 inline sqrt_kernel make_sqrt_kernel(std::span<const moving_plane<integer>> planes) { return sqrt_kernel(sqrt_arithmetic(planes)); }

@@ -6,15 +6,15 @@
 
 #include <vector>
 
-namespace osteon::planar {
+namespace osteon::plane {
 
 /// The boundary as the algorithms see it: incidences and numbers of lines, no coordinates. Edge i leads from vertex i to vertex next[i];
 /// the interior is on its left.
-struct outline {
+struct boundary {
   std::vector<int> next;
   std::vector<int> line;  ///< of edge i; edges with equal equation and weight share one
   std::vector<int> rank;  ///< of edge i among those on its line, in their direction
   int lines = 0;
 };
 
-}  // namespace osteon::planar
+}  // namespace osteon::plane
