@@ -75,7 +75,7 @@ struct model {
   }
 
   solid<integer> read() const {
-    mesh<integer> m = [&] {
+    input_mesh<integer> m = [&] {
       if (file == "-") return read_obj<integer>(std::cin, "standard input");
       std::ifstream in(file, std::ios::binary);
       if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");

@@ -18,7 +18,7 @@
 namespace osteon::fuzz {
 namespace {
 
-void check_mesh(const mesh<integer>& m, std::size_t bytes) {
+void check_mesh(const input_mesh<integer>& m, std::size_t bytes) {
   require(!m.points.empty() && !m.facets.empty(), "a mesh has points and facets");
   require(m.points.size() <= bytes && m.facets.size() <= bytes, "a mesh is not larger than its file");
   require(m.point_lines.size() == m.points.size() && m.facet_lines.size() == m.facets.size(), "every element has a line");
@@ -30,7 +30,7 @@ void check_mesh(const mesh<integer>& m, std::size_t bytes) {
 }
 
 void run(const std::string& text) {
-  mesh<integer> m;
+  input_mesh<integer> m;
   try {
     std::istringstream in(text);
     m = read_obj<integer>(in, "input.obj");

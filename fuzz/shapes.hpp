@@ -24,7 +24,7 @@
 
 namespace osteon::fuzz {
 
-using shape = mesh<integer>;
+using shape = input_mesh<integer>;
 
 /// What is known of a shape beyond its mesh.
 struct decoded {

@@ -25,7 +25,7 @@ inline rational value(const exact_number<integer>& x) {
 }
 
 /// Six times the volume that a mesh encloses.
-inline rational volume_of(const mesh<integer>& m) {
+inline rational volume_of(const input_mesh<integer>& m) {
   using place = std::array<rational, 3>;
   std::vector<place> points;
   for (const auto& p : m.points) points.push_back({value(p[0]), value(p[1]), value(p[2])});
@@ -58,7 +58,7 @@ class solid_check {
     return sum;
   }
 
-  void check_against(const mesh<integer>& m) const {
+  void check_against(const input_mesh<integer>& m) const {
     require(s_.facet_planes.size() == m.facets.size(), "every facet of the mesh has a plane");
     require(s_.input_points.size() == s_.points.size(), "every vertex comes from a point");
     for (std::size_t v = 0; v < s_.points.size(); ++v) {

@@ -24,7 +24,7 @@
 namespace osteon::oracles {
 
 /// The skeleton of a prism: by arc that only walls meet in, the lines (lines_of) of these walls, sorted.
-inline std::vector<std::vector<int>> upright_arcs(const planar_input& input, const mesh<integer>& prism, const std::vector<int>& wall_of_edge) {
+inline std::vector<std::vector<int>> upright_arcs(const planar_input& input, const input_mesh<integer>& prism, const std::vector<int>& wall_of_edge) {
   const auto lines = lines_of(input);
   const auto s = make_solid(prism);
   std::map<plane_id, int> line_of;  // of the planes of walls
@@ -46,7 +46,7 @@ inline std::vector<std::vector<int>> upright_arcs(const planar_input& input, con
 }
 
 /// A prism over a polygon of one ring, higher than twice its width.
-inline mesh<integer> prism_over(const planar_input& input, std::vector<int>& wall_of_edge) {
+inline input_mesh<integer> prism_over(const planar_input& input, std::vector<int>& wall_of_edge) {
   const auto& ring = input.rings.front();
   const auto n = static_cast<int>(ring.size());
   const double top = 2 * std::ceil(size_of(input)) + 1;
@@ -60,7 +60,7 @@ inline mesh<integer> prism_over(const planar_input& input, std::vector<int>& wal
     wall_of_edge.push_back(static_cast<int>(facets.size()));
     facets.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
   }
-  return make_mesh<integer>(points, facets);
+  return make_input_mesh<integer>(points, facets);
 }
 
 /// What is different between the skeleton of a polygon (one ring, no weights) and that of the prism over it; empty: nothing. The nodes of the polygon

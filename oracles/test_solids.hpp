@@ -105,7 +105,7 @@ inline models::builder random_hull(int points, std::uint64_t seed) {
 }
 
 /// A model with every corner moved a little and every facet cut into triangles: of general shape, with tunnels and voids if the model has some.
-inline mesh<integer> shaken(const models::builder& model, long scale, long most, std::uint64_t seed) {
+inline input_mesh<integer> shaken(const models::builder& model, long scale, long most, std::uint64_t seed) {
   models::dice roll(seed);
   auto m = model.take<integer>();
   for (auto& p : m.points)
@@ -124,7 +124,7 @@ struct skeletal_solid {
   solid<integer> body;
   skeleton raw;
 
-  explicit skeletal_solid(mesh<integer> m, const skeleton_options& o = {}) : body(make_solid(std::move(m))) {
+  explicit skeletal_solid(input_mesh<integer> m, const skeleton_options& o = {}) : body(make_solid(std::move(m))) {
     const perturbed k(filtered(std::span<const moving_plane<integer>>(body.planes), make_rational_kernel(body.planes)));
     raw = straight_skeleton(k, body.boundary, o);
   }
@@ -132,7 +132,7 @@ struct skeletal_solid {
 };
 
 /// Empty where a vertex has a degree that the library does not take.
-inline std::optional<skeletal_solid> try_skeleton(mesh<integer> m, const skeleton_options& o = {}) {
+inline std::optional<skeletal_solid> try_skeleton(input_mesh<integer> m, const skeleton_options& o = {}) {
   try {
     return skeletal_solid(std::move(m), o);
   } catch (const unsupported_error&) {

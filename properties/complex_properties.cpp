@@ -194,7 +194,7 @@ std::string counts_add_up(const placed_skeleton& s) {
 }
 
 // The solid ends as nothing: its Euler characteristic, half of that of its surface, is what its events take away.
-std::string characteristic_is_used_up(const placed_skeleton& s, const mesh<integer>& m) {
+std::string characteristic_is_used_up(const placed_skeleton& s, const input_mesh<integer>& m) {
   const auto ends = std::accumulate(m.facets.begin(), m.facets.end(), std::size_t{0}, [](std::size_t n, const auto& f) { return n + f.size(); });
   const long surface = static_cast<long>(m.points.size()) - static_cast<long>(ends / 2) + static_cast<long>(m.facets.size());
   const long taken = -of_events(s.raw).characteristic;

@@ -40,7 +40,7 @@ namespace osteon::properties {
 /// A generated solid: the mesh as it would come from a file, and what make_solid makes of it (null where it refuses).
 struct specimen {
   std::string kind;
-  mesh<integer> input;
+  input_mesh<integer> input;
   std::shared_ptr<const osteon::solid<integer>> solid;
 };
 
@@ -59,7 +59,7 @@ inline void showValue(const specimen& s, std::ostream& out) {
 /// The greatest degree of a vertex by default: Catalan(7) = 429 trees.
 inline constexpr std::size_t greatest_degree = 9;
 
-inline specimen specimen_of(std::string kind, mesh<integer> m) {
+inline specimen specimen_of(std::string kind, input_mesh<integer> m) {
   specimen s{std::move(kind), std::move(m), nullptr};
   try {
     auto built = make_solid(s.input);
@@ -72,11 +72,11 @@ inline specimen specimen_of(std::string kind, mesh<integer> m) {
 }
 
 /// Integer points of a polytope's or other rational soup: multiplied by the common denominator.
-inline mesh<integer> scaled_mesh(const std::vector<vector3>& points, std::vector<std::vector<int>> facets) {
+inline input_mesh<integer> scaled_mesh(const std::vector<vector3>& points, std::vector<std::vector<int>> facets) {
   integer common = 1;
   for (const auto& p : points)
     for (const rational& x : p) common = lcm(common, denominator(x));
-  mesh<integer> m;
+  input_mesh<integer> m;
   for (const auto& p : points) {
     auto& q = m.points.emplace_back();
     for (std::size_t axis = 0; axis < 3; ++axis) q[axis].mantissa = numerator(p[axis]) * (common / denominator(p[axis]));
@@ -399,7 +399,7 @@ inline rc::Gen<specimen> small_models() {
 inline rc::Gen<specimen> weighted(const rc::Gen<specimen>& g) {
   return valid(
       rc::gen::map(rc::gen::pair(g, rc::gen::container<std::vector<long>>(64, between(1, 3))), [](std::pair<specimen, std::vector<long>> given) {
-        mesh<integer> m = std::move(given.first.input);
+        input_mesh<integer> m = std::move(given.first.input);
         for (std::size_t f = 0; f < m.facets.size(); ++f) m.weights.emplace_back(given.second[f % 64]);
         return specimen_of("weighted " + given.first.kind, std::move(m));
       }));

@@ -48,7 +48,7 @@ std::vector<int> permutation(std::size_t n, const std::vector<long>& keys) {
 
 image image_of(const specimen& s, const std::array<long, 4>& q, bool mirror, const models::point& shift, const std::vector<long>& keys) {
   image result;
-  mesh<integer> m;
+  input_mesh<integer> m;
   const std::vector<int> points = permutation(s.input.points.size(), keys);
   const std::vector<int> facets = permutation(s.input.facets.size(), keys);
   result.point_of.resize(points.size());

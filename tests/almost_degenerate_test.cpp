@@ -18,8 +18,8 @@ namespace osteon::test {
 namespace {
 
 // Turned by two irrational angles, rounded to so many digits after the point, and triangulated.
-mesh<integer> turned(const mesh<integer>& m, double a, double b, int digits) {
-  mesh<integer> result;
+input_mesh<integer> turned(const input_mesh<integer>& m, double a, double b, int digits) {
+  input_mesh<integer> result;
   const long double unit = std::pow(10.0L, digits);
   const auto rounded = [&](long double x) { return exact_number<integer>{integer(std::llround(x * unit)), -digits, 0}; };
   for (const auto& p : m.points) {
@@ -41,14 +41,14 @@ mesh<integer> turned(const mesh<integer>& m, double a, double b, int digits) {
   return result;
 }
 
-mesh<integer> voxels(int seed) {
+input_mesh<integer> voxels(int seed) {
   models::dice roll(static_cast<std::uint64_t>(seed));
   const std::array<int, 3> size = {static_cast<int>(roll.between(1, 3)), static_cast<int>(roll.between(1, 3)), static_cast<int>(roll.between(1, 3))};
   return models::random_voxels(size, static_cast<int>(roll.between(25, 90)), static_cast<std::uint64_t>(seed)).surface().take<integer>();
 }
 
 // A prism over a star-shaped polygon. No three corners on a line: rounding would turn the triangle between them inside out.
-mesh<integer> prism(int seed) {
+input_mesh<integer> prism(int seed) {
   models::dice roll(static_cast<std::uint64_t>(seed));
   const auto collinear = [](const models::polygon& p) {
     const auto n = p.size();
@@ -74,7 +74,7 @@ struct cost {
   double per_facet() const { return seconds / static_cast<double>(facets); }
 };
 
-void complete(const mesh<integer>& m, cost& spent) {
+void complete(const input_mesh<integer>& m, cost& spent) {
   const std::clock_t start = std::clock();
   const auto s = make_solid(m);
   const auto k = default_kernel(s);
@@ -86,7 +86,7 @@ void complete(const mesh<integer>& m, cost& spent) {
   EXPECT_GE(raw.arcs.size(), s.boundary.vertices.size());
 }
 
-class AlmostDegenerate : public testing::TestWithParam<mesh<integer> (*)(int)> {};
+class AlmostDegenerate : public testing::TestWithParam<input_mesh<integer> (*)(int)> {};
 
 // 150 solids, each also turned and rounded to 6, 9 and 15 digits: all complete, and from the mesh to the exact skeleton a facet
 // takes at most three times as long.

@@ -42,7 +42,7 @@ const std::map<std::string, input_fault> faults = {
     {"self_intersection", input_fault::self_intersection},
 };
 
-mesh<integer> read(const std::string& text) {
+input_mesh<integer> read(const std::string& text) {
   std::istringstream in(text);
   return read_obj<integer>(in, "text.obj");
 }
@@ -131,7 +131,7 @@ TEST(BadInput, MemoryForFineDigitsIsLimited) {
   std::string text = "v " + std::string(1000, '7') + "e-1399 0 0\n";
   for (int i = 0; i < 250'000; ++i) text += "v 1e390 0 0\n";
   EXPECT_EQ(fault_of(text + "f 1 2 3\n"), input_fault::absurd_size);
-  mesh<integer> m = read("v 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
+  input_mesh<integer> m = read("v 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
   m.points[1][0] = {1, -2'000'000'000, -2'000'000'000};
   EXPECT_THROW(make_solid(m), input_error);
   m.points[1][0] = {1, 0, 0};
@@ -140,7 +140,7 @@ TEST(BadInput, MemoryForFineDigitsIsLimited) {
 }
 
 TEST(BadInput, LargestIndexDoesNotOverflow) {
-  auto m = make_mesh<integer>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2'147'483'647}});
+  auto m = make_input_mesh<integer>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2'147'483'647}});
   EXPECT_THROW(make_solid(m), input_error);
   m.facets[0][2] = -2'147'483'647 - 1;
   EXPECT_THROW(make_solid(m), input_error);

@@ -20,7 +20,7 @@ namespace {
 
 using counts = std::array<std::size_t, 3>;
 
-counts contracted(const mesh<integer>& m, const skeleton_options& o = {}) {
+counts contracted(const input_mesh<integer>& m, const skeleton_options& o = {}) {
   const auto s = make_solid(m);
   const auto k = default_kernel(s);
   const auto c = contract(k.base(), s.boundary, straight_skeleton(k, s.boundary, o));
@@ -67,8 +67,8 @@ TEST(Contraction, OfSolidsInGeneralPositionKeepsNodesAndArcs) {
 
 // ---- invariance
 
-mesh<integer> mapped(const mesh<integer>& m, const std::array<std::array<long, 3>, 3>& matrix) {
-  mesh<integer> result = m;
+input_mesh<integer> mapped(const input_mesh<integer>& m, const std::array<std::array<long, 3>, 3>& matrix) {
+  input_mesh<integer> result = m;
   for (std::size_t p = 0; p < m.points.size(); ++p)
     for (std::size_t r = 0; r < 3; ++r) {
       auto& x = result.points[p][r];
@@ -78,7 +78,7 @@ mesh<integer> mapped(const mesh<integer>& m, const std::array<std::array<long, 3
   return result;
 }
 
-mesh<integer> shuffled(const mesh<integer>& m, std::uint64_t seed) {
+input_mesh<integer> shuffled(const input_mesh<integer>& m, std::uint64_t seed) {
   models::dice roll(seed);
   const auto permutation = [&](std::size_t n) {
     std::vector<int> p(n);
@@ -86,7 +86,7 @@ mesh<integer> shuffled(const mesh<integer>& m, std::uint64_t seed) {
     for (std::size_t i = n; i > 1; --i) std::swap(p[i - 1], p[static_cast<std::size_t>(roll.between(0, static_cast<long>(i) - 1))]);
     return p;
   };
-  mesh<integer> result;
+  input_mesh<integer> result;
   const auto points = permutation(m.points.size());
   result.points.resize(m.points.size());
   for (std::size_t i = 0; i < points.size(); ++i) result.points[static_cast<std::size_t>(points[i])] = m.points[i];
@@ -101,7 +101,7 @@ mesh<integer> shuffled(const mesh<integer>& m, std::uint64_t seed) {
 
 class Invariance : public testing::TestWithParam<std::string> {};
 
-void expect_invariant(const mesh<integer>& m) {
+void expect_invariant(const input_mesh<integer>& m) {
   const auto original = placed(m);
   // A rotation with rational entries (quaternion 1 + 2i + 2j), times 9.
   const std::array<std::array<long, 3>, 3> turn = {{{1, 8, 4}, {8, 1, -4}, {-4, 4, -7}}};

@@ -24,7 +24,7 @@ struct placed_skeleton {
   std::vector<std::array<double, 3>> points;
 };
 
-inline placed_skeleton placed(const mesh<integer>& m, const skeleton_options& o = {}) {
+inline placed_skeleton placed(const input_mesh<integer>& m, const skeleton_options& o = {}) {
   const auto s = make_solid(m);
   const auto k = default_kernel(s);
   const auto raw = straight_skeleton(k, s.boundary, o);

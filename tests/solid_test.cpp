@@ -35,7 +35,7 @@ struct model {
     }
     return *this;
   }
-  mesh<integer> to_mesh() const { return make_mesh<integer>(p, f); }
+  input_mesh<integer> to_mesh() const { return make_input_mesh<integer>(p, f); }
   solid<integer> to_solid() const { return make_solid(to_mesh()); }
 };
 
@@ -120,7 +120,7 @@ void expect_counts(const solid<integer>& s, std::size_t vertices, std::size_t ed
   }
 }
 
-input_fault fault_of(const mesh<integer>& m) {
+input_fault fault_of(const input_mesh<integer>& m) {
   try {
     make_solid(m);
   } catch (const input_error& e) {
@@ -288,7 +288,7 @@ TEST(Solid, DoublesAreTakenExactly) {
   }
   const auto s = box({0.1, -0.7, 1e-300}, {0.3, 4.9e-324, 1e300}).to_solid();
   expect_counts(s, 8, 12, 6, 6);
-  EXPECT_THROW(make_mesh<integer>({{0, 0, std::nan("")}}, {}), input_error);
+  EXPECT_THROW(make_input_mesh<integer>({{0, 0, std::nan("")}}, {}), input_error);
 }
 
 TEST(Solid, ScaleDoesNotMatter) {
@@ -346,7 +346,7 @@ TEST(Solid, WeightsArePositiveAndAgreeInAPlane) {
 TEST(Solid, FacetsThatCrossAlongAChordAreRefused) {
   const points p = {{0, 0, 1}, {0, 0, -1}, {1, 1, 0}, {1, -1, 0}, {-2, -2, 0}, {-2, 2, 0}};
   const facets f = {{0, 2, 1, 4}, {0, 4, 3}, {0, 3, 1, 5}, {0, 5, 2}, {1, 3, 4}, {1, 2, 5}};
-  EXPECT_EQ(fault_of(make_mesh<integer>(p, f)), input_fault::self_intersection);
+  EXPECT_EQ(fault_of(make_input_mesh<integer>(p, f)), input_fault::self_intersection);
 }
 
 // Inputs at which a quadratic search, or exact arithmetic without a filter, takes minutes.

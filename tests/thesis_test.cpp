@@ -123,7 +123,7 @@ TEST(Thesis, RationalAndRootKernelsAgreeEventByEvent) {
 
 // Some models of events are drawn with facets that are planar only roughly. This moves each point to where the planes
 // through the first three corners of its three facets meet, which is what their author's program took.
-mesh<integer> straightened(mesh<integer> m) {
+input_mesh<integer> straightened(input_mesh<integer> m) {
   std::vector<std::array<rational, 3>> points;
   for (const auto& p : m.points) {
     auto& q = points.emplace_back();
@@ -191,11 +191,11 @@ TEST(Thesis, ModelsOfEvents) {
     std::ifstream in(file.path());
     const auto m = read_obj<integer>(in, file.path().filename().string());
     std::optional<solid<integer>> s;
-    for (const auto& repair : std::array<std::function<mesh<integer>(mesh<integer>)>, 3>{[](auto x) { return x; }, straightened,
-                                                                                         [](auto x) {
-                                                                                           solid_builder<integer>::triangulate(x);
-                                                                                           return x;
-                                                                                         }}) {
+    for (const auto& repair : std::array<std::function<input_mesh<integer>(input_mesh<integer>)>, 3>{[](auto x) { return x; }, straightened,
+                                                                                                     [](auto x) {
+                                                                                                       solid_builder<integer>::triangulate(x);
+                                                                                                       return x;
+                                                                                                     }}) {
       try {
         s = make_solid(repair(m));
         break;

@@ -57,7 +57,7 @@ TEST(Certificate, OfTenThousandSolids) {
   for (std::uint64_t seed = 1; seed <= 10000; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     models::dice roll(seed);
-    mesh<integer> m;
+    input_mesh<integer> m;
     switch (seed % 5) {
       case 0: {
         const auto kind = std::find_if(models::kinds().begin(), models::kinds().end(), [](const auto& k) { return k.name == "star"; });
@@ -413,7 +413,7 @@ solid<integer> column(long floor) {
   const std::vector<std::array<long, 3>> points = {{0, 0, floor}, {20, 1, floor}, {21, 27, floor}, {-1, 25, floor}, {0, 0, 100},
                                                    {20, 1, 100},  {21, 27, 100},  {-1, 25, 100},   {5, 6, 100},     {15, 6, 100},
                                                    {15, 18, 100}, {5, 17, 100},   {10, 12, 90}};
-  mesh<integer> m;
+  input_mesh<integer> m;
   for (const auto& p : points) m.points.push_back({exact_number<integer>{p[0], 0, 0}, {p[1], 0, 0}, {p[2], 0, 0}});
   m.facets = {{3, 2, 1, 0},   {0, 1, 5, 4},  {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 9, 8}, {5, 6, 10, 9},
               {6, 7, 11, 10}, {7, 4, 8, 11}, {8, 9, 12},   {9, 10, 12},  {10, 11, 12}, {11, 8, 12}};

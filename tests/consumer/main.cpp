@@ -13,8 +13,8 @@
 
 int main() {
   using namespace osteon;
-  const auto mesh = make_mesh<integer>({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
-                                       {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+  const auto mesh = make_input_mesh<integer>({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+                                             {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
   const auto cube = make_solid(mesh);
   const perturbed kernel(filtered(std::span<const moving_plane<integer>>(cube.planes), make_sqrt_kernel(cube.planes)));
   const auto raw = straight_skeleton(kernel, cube.boundary);

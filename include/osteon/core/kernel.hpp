@@ -19,30 +19,10 @@
 #include <optional>
 #include <span>
 
+#include "osteon/core/planes.hpp"
 #include "osteon/core/sign.hpp"
 
 namespace osteon {
-
-/// A plane's number in the kernel: 0 .. size() - 1. Negative numbers mean "none".
-using plane_id = std::int32_t;
-/// Three planes: a vertex. Four planes: an event.
-using triple = std::array<plane_id, 3>;
-using quadruple = std::array<plane_id, 4>;
-/// As many planes as meet in a vertex and in an event, in space of this dimension.
-template <int Dimension>
-using corner_planes = std::array<plane_id, Dimension>;
-template <int Dimension>
-using meeting_planes = std::array<plane_id, Dimension + 1>;
-
-/// Hash of a list of planes (multiplicative, after Knuth, TAOCP 6.4).
-struct plane_hash {
-  template <std::size_t N>
-  std::size_t operator()(const std::array<plane_id, N>& planes) const noexcept {
-    std::uint64_t h = 0;
-    for (const plane_id p : planes) h = (h ^ static_cast<std::uint32_t>(p)) * 0x9E3779B97F4A7C15U ^ h >> 29U;
-    return static_cast<std::size_t>(h);
-  }
-};
 
 /// What the skeleton algorithm asks of space.
 ///

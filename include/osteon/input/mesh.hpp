@@ -16,7 +16,7 @@ namespace osteon {
 
 /// A soup of polygons: corners counter-clockwise seen from outside, numbered from 0.
 template <class Int>
-struct mesh {
+struct input_mesh {
   std::vector<std::array<exact_number<Int>, 3>> points;
   std::vector<std::vector<int>> facets;
   std::vector<Int> weights;              ///< speed of each facet, empty for all 1
@@ -39,8 +39,8 @@ struct mesh {
 
 /// A mesh from doubles, taken exactly. Throws input_error(bad_number) for NaN and infinities.
 template <class Int>
-mesh<Int> make_mesh(const std::vector<std::array<double, 3>>& points, std::vector<std::vector<int>> facets) {
-  mesh<Int> m;
+input_mesh<Int> make_input_mesh(const std::vector<std::array<double, 3>>& points, std::vector<std::vector<int>> facets) {
+  input_mesh<Int> m;
   for (const auto& p : points) {
     auto& exact = m.points.emplace_back();
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -108,8 +108,8 @@ inline bool ignored(std::string_view word) {
 /// Reads points (`v`) and polygons (`f`, with texture and normal indices, negative indices). Groups, materials, normals and
 /// textures are skipped; lines, curves and surfaces are refused. `file` is for messages. Throws input_error. Linear time.
 template <class Int>
-mesh<Int> read_obj(std::istream& in, const std::string& file) {
-  mesh<Int> m;
+input_mesh<Int> read_obj(std::istream& in, const std::string& file) {
+  input_mesh<Int> m;
   m.file = file;
   std::size_t corners = 0;
   obj::line_reader lines(in, file);

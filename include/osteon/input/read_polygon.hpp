@@ -589,7 +589,7 @@ rings<Int> read_geojson(std::istream& in, const std::string& file) {
 /// Reads OBJ with one facet in a plane z = constant. Throws input_error. Linear time.
 template <class Int>
 rings<Int> read_flat_obj(std::istream& in, const std::string& file) {
-  mesh<Int> m = read_obj<Int>(in, file);
+  input_mesh<Int> m = read_obj<Int>(in, file);
   if (m.facets.size() != 1)
     throw input_error(input_fault::not_polygon, 2,
                       m.name_facet(1) + " is one of " + std::to_string(m.facets.size()) + ", and only one can be a polygon",

@@ -48,7 +48,7 @@ struct solid {
 template <class Int>
 class solid_builder {
  public:
-  explicit solid_builder(mesh<Int> m) : m_(std::move(m)) {}
+  explicit solid_builder(input_mesh<Int> m) : m_(std::move(m)) {}
 
   solid<Int> build() {
     check_corners();
@@ -65,12 +65,12 @@ class solid_builder {
   }
 
   /// Reverses all facets.
-  static void flip(mesh<Int>& m) {
+  static void flip(input_mesh<Int>& m) {
     for (auto& f : m.facets) std::reverse(f.begin(), f.end());
   }
 
   /// Cuts every facet that is not planar into triangles (ears of its projection).
-  static void triangulate(mesh<Int>& m) {
+  static void triangulate(input_mesh<Int>& m) {
     solid_builder b(m);
     b.check_corners();
     b.scale_points();
@@ -627,7 +627,7 @@ class solid_builder {
     }
   }
 
-  mesh<Int> m_;
+  input_mesh<Int> m_;
   std::vector<vec<Int>> points_;
   std::vector<std::array<double, 3>> rough_;  // the points by a monotone function, for boxes
   std::vector<half_edge> half_edges_;
@@ -639,7 +639,7 @@ class solid_builder {
 
 /// See solid_builder.
 template <class Int>
-solid<Int> make_solid(mesh<Int> m) {
+solid<Int> make_solid(input_mesh<Int> m) {
   return solid_builder<Int>(std::move(m)).build();
 }
 

@@ -14,29 +14,15 @@
 #include <utility>
 #include <vector>
 
+#include "osteon/core/random.hpp"
 #include "osteon/input/mesh.hpp"
 
 namespace osteon::models {
 
 using point = std::array<long, 3>;
 
-/// Reproducible pseudo-random numbers (splitmix64), the same on every machine.
-class dice {
- public:
-  explicit dice(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t operator()() {
-    state_ += 0x9E3779B97F4A7C15U;
-    std::uint64_t z = state_;
-    z = (z ^ z >> 30U) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ z >> 27U) * 0x94D049BB133111EBU;
-    return z ^ z >> 31U;
-  }
-  /// Uniform in lo .. hi (up to a bias below 2^-32 for small ranges).
-  long between(long lo, long hi) { return lo + static_cast<long>((*this)() % static_cast<std::uint64_t>(hi - lo + 1)); }
-
- private:
-  std::uint64_t state_;
-};
+/// Random numbers of the generators.
+using dice = random_stream;
 
 /// Points and facets that share equal points.
 class builder {
@@ -52,8 +38,8 @@ class builder {
   }
 
   template <class Int>
-  mesh<Int> take() const {
-    mesh<Int> m;
+  input_mesh<Int> take() const {
+    input_mesh<Int> m;
     for (const auto& p : points_)
       m.points.push_back({exact_number<Int>{Int(p[0]), 0, 0}, exact_number<Int>{Int(p[1]), 0, 0}, exact_number<Int>{Int(p[2]), 0, 0}});
     m.facets = facets_;

@@ -16,6 +16,7 @@
 
 #include "osteon/core/error.hpp"
 #include "osteon/core/kernel.hpp"
+#include "osteon/core/random.hpp"
 #include "osteon/space/boundary.hpp"
 #include "osteon/space/catalogue.hpp"
 #include "osteon/space/facet_insertion.hpp"
@@ -523,13 +524,6 @@ class propagation {
 
   static bool inside(cell c, unsigned plane) { return (c >> plane & 1U) != 0; }
 
-  static triple omit(const quadruple& q, unsigned r) {
-    triple t{};
-    for (unsigned s = 0, n = 0; s < 4; ++s)
-      if (s != r) t[n++] = q[s];
-    return t;
-  }
-
   // Rebuilds one line. Along it lie far_k, (i,j,k), the segment, (i,j,l), far_l before, and far_k, (i,j,l), the
   // segment, (i,j,k), far_l after; where a vertex is missing the edge runs through.
   void relink(const neighbourhood& n, unsigned p, local::state after, const std::array<bool, 4>& before, const std::array<int, 4>& made,
@@ -586,13 +580,8 @@ class propagation {
     }
   }
 
-  // A number that looks random (splitmix64).
-  static std::uint64_t mixed(std::uint64_t seed, int n) {
-    std::uint64_t z = seed * 0x9e3779b97f4a7c15U + static_cast<std::uint64_t>(n);
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31U);
-  }
+  // A number that looks random.
+  static std::uint64_t mixed(std::uint64_t seed, int n) { return random_stream::mixed(seed * random_stream::step + static_cast<std::uint64_t>(n)); }
 
   // At a saddle: whether the new cell becomes solid, which makes the new edge convex.
   bool choose(const neighbourhood& n) const {

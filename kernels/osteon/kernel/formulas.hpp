@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "osteon/core/kernel.hpp"
+#include "osteon/core/random.hpp"
 #include "osteon/core/sign.hpp"
 
 namespace osteon {
@@ -27,14 +28,8 @@ struct perturbation {
   int delta;
 
   static perturbation of(plane_id id) {
-    std::uint64_t seed = static_cast<std::uint64_t>(id) + 1;
-    const auto draw = [&seed] {  // splitmix64 (Steele, Lea, Flood 2014)
-      seed += 0x9E3779B97F4A7C15U;
-      std::uint64_t z = seed;
-      z = (z ^ z >> 30U) * 0xBF58476D1CE4E5B9U;
-      z = (z ^ z >> 27U) * 0x94D049BB133111EBU;
-      return static_cast<int>((z ^ z >> 31U) & 0xFFFFFU) - 0x80000;
-    };
+    random_stream random(static_cast<std::uint64_t>(id) + 1);
+    const auto draw = [&random] { return static_cast<int>(random() & 0xFFFFFU) - 0x80000; };
     perturbation p{};
     p.delta = draw();
     for (int& x : p.u) x = draw();
