@@ -93,7 +93,7 @@ struct both_skeletons {
   std::optional<contracted_skeleton> exact;
 };
 
-template <kernel K>
+template <kernel<3> K>
 both_skeletons compute(const perturbed<K>& k, const boundary& b, const skeleton_options& o) {
   both_skeletons result{straight_skeleton(k, b, o), std::nullopt};
   result.exact = contract(k.base(), b, result.raw);

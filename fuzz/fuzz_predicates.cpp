@@ -202,7 +202,7 @@ void check_order(const std::vector<std::vector<sign>>& order, const char* antisy
     }
 }
 
-template <kernel K>
+template <kernel<3> K>
 class interview {
  public:
   interview(const K& k, const questions& q) : k_(k), q_(q) {}
@@ -341,7 +341,7 @@ class interview {
   std::vector<std::optional<typename K::meeting>> meetings_;
 };
 
-template <kernel K>
+template <kernel<3> K>
 answers ask(const K& k, const questions& q) {
   return interview<K>(k, q).run();
 }

@@ -123,7 +123,7 @@ bool may_insert(const solid<integer>& s) {
   return false;
 }
 
-template <kernel K>
+template <kernel<3> K>
 skeleton certified(const K& k, const solid<integer>& s, const skeleton_options& o) {
   skeleton raw = straight_skeleton(k, s.boundary, o);
   if (const auto r = verify(k, s.boundary, raw))

@@ -100,7 +100,7 @@ std::optional<cone> make_cone(const std::vector<vector>& rays) {
 bool majority(const osteon::corner& c) { return boundary::vertex{c.facets, {}}.is_majority(); }
 
 // Where all planes differ: edges once more from their vertices (design 03), and the rule that their kinds obey.
-template <kernel K>
+template <kernel<3> K>
 void check_local_rule(const K& k, const cone& c, const split_tree& t) {
   const auto plane = [&](int facet) { return c.corner.facets[static_cast<std::size_t>(facet)]; };
   const auto orientation = [&](const std::array<int, 3>& v) { return k.orientation(plane(v[0]), plane(v[1]), plane(v[2])); };
@@ -157,7 +157,7 @@ std::vector<triple> triples(const cone& c, const split_tree& t) {
   return result;
 }
 
-template <kernel K>
+template <kernel<3> K>
 void check_volumes(const K& k, const cone& c, const std::vector<split_tree>& trees) {
   std::vector<std::vector<triple>> some;
   for (std::size_t i = 0; i < std::min<std::size_t>(trees.size(), 6); ++i)
@@ -194,7 +194,7 @@ void check_embedding(const std::vector<vector>& rays, const cone& c, const ratio
 
 // The number of valid trees.
 // The tree that is taken is a valid one, and none is worth more.
-template <kernel K>
+template <kernel<3> K>
 void check_chosen(const K& k, const cone& c, const splitter<K>& s, const std::vector<split_tree>& all) {
   const auto is_valid = [&](const split_tree& t) {
     return std::any_of(all.begin(), all.end(), [&t](const split_tree& other) { return other.operations == t.operations; });
@@ -215,7 +215,7 @@ void check_chosen(const K& k, const cone& c, const splitter<K>& s, const std::ve
   require(drawn.has_value() == !all.empty() && (!drawn || is_valid(drawn->tree)), "the tree that is drawn is valid");
 }
 
-template <kernel K>
+template <kernel<3> K>
 std::size_t check(const K& k, const cone& c) {
   const splitter<K> s(k, c.corner);
   const auto candidates = s.candidates();

@@ -26,7 +26,7 @@ inline auto planar_kernel_of(const plane::polygon<integer>& p, bool mirrored = f
   return perturbed(filtered(lines, make_sqrt_kernel(lines), anchors_of(p)), mirrored);
 }
 
-template <plane::planar_kernel K>
+template <kernel<2> K>
 plane::skeleton raw_skeleton(const K& k, const plane::polygon<integer>& p, bool outside) {
   const plane::vertex_enclosures motion(p.lines, p.points, outside);
   plane::skeleton_options o;
@@ -43,7 +43,7 @@ struct planar_pair {
   plane::skeleton raw;
   plane::contracted_skeleton exact;
 };
-template <plane::planar_kernel K>
+template <kernel<2> K>
 planar_pair certified(const K& k, const plane::polygon<integer>& p, bool outside) {
   planar_pair s{raw_skeleton(k, p, outside), {}};
   require_holds(plane::verify(k, p.boundary, s.raw, outside, has_stationary_edge(p)), "certificate");

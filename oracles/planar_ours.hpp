@@ -47,7 +47,7 @@ inline auto planar_default_kernel(const plane::polygon<integer>& p) {
 }
 
 /// The raw skeleton under any kernel.
-template <plane::planar_kernel K>
+template <kernel<2> K>
 plane::skeleton raw_skeleton(const K& k, const plane::polygon<integer>& p) {
   const plane::vertex_enclosures motion(lines_in(p), p.points);
   return plane::propagation(k, p.boundary, motion).run();

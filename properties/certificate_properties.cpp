@@ -17,7 +17,7 @@
 namespace osteon::properties {
 namespace {
 
-template <kernel K>
+template <kernel<3> K>
 void certify(const char* name, const K& k, const solid<integer>& s, const skeleton_options& o) {
   require(name, [&]() -> std::string {
     const auto broken = verify(k, s.boundary, straight_skeleton(k, s.boundary, o));

@@ -15,7 +15,7 @@ namespace {
 
 using planes = std::vector<moving_plane<integer>>;
 
-template <kernel K>
+template <kernel<3> K>
 run run_by(const char* name, const K& k, const boundary& b, const skeleton_options& o) {
   run r{name, straight_skeleton(k, b, o), {}};
   for (const auto& a : r.raw.arcs) r.orientations.push_back(k.orientation(a.planes[0], a.planes[1], a.planes[2]));

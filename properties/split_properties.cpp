@@ -265,7 +265,7 @@ std::vector<triple> planes_of(const corner& c, const split_tree& t) {
   return result;
 }
 
-template <kernel K>
+template <kernel<3> K>
 std::optional<split_tree> searched_best(const splitter<K>& split, split_preference prefer) {
   const auto accepts = [&split](const diagonals& d) { return split.valid(*split.tree(d)); };
   const bool counts = prefer == split_preference::convex || prefer == split_preference::reflex;
@@ -275,7 +275,7 @@ std::optional<split_tree> searched_best(const splitter<K>& split, split_preferen
   return found.end == search_end::best ? split.tree(found.tree) : std::nullopt;
 }
 
-template <kernel K>
+template <kernel<3> K>
 std::string corner_laws(const K& k, const corner& c, std::vector<diagonals>& valid) {
   const splitter<K> split(k, c);
   const auto candidates = split.candidates();

@@ -86,8 +86,8 @@ struct archetype {
 };
 
 using weakest = archetype<true>;
-static_assert(kernel<weakest>);
-static_assert(kernel<archetype<false>>);
+static_assert(kernel<weakest, 3>);
+static_assert(kernel<archetype<false>, 3>);
 static_assert(!graded_kernel<weakest>);
 
 // ---- near misses, one per clause. Each hides one member of the archetype, in which a reader finds what is wrong.
@@ -179,7 +179,7 @@ struct compare_volume_changes_the_tree : weakest {
 };
 
 template <class... Types>
-inline constexpr bool none_is_a_kernel = (!kernel<Types> && ...);
+inline constexpr bool none_is_a_kernel = (!kernel<Types, 3> && ...);
 
 static_assert(none_is_a_kernel<int, exact_is_no_bool, without_exact, without_meeting, without_bisector_type, size_is_unsigned, size_of_a_variable,
                                orientation_is_int, orientation_may_be_open, orientation_of_two, transversal_is_a_sign, without_transversal,
@@ -192,7 +192,7 @@ struct hides_nothing_wrong : weakest {
   sign orientation(plane_id, plane_id, plane_id) const;
   std::optional<meeting> meet(const quadruple&) const;
 };
-static_assert(kernel<hides_nothing_wrong>);
+static_assert(kernel<hides_nothing_wrong, 3>);
 
 // ---- the graded archetype: what the adaptors need. They keep a kernel, so it can be moved.
 
@@ -225,8 +225,8 @@ struct graded_archetype {
 };
 static_assert(graded_kernel<graded_archetype>);
 static_assert(graded_kernel<filtered<graded_archetype>>);
-static_assert(kernel<perturbed<graded_archetype>>);
-static_assert(kernel<perturbed<filtered<graded_archetype>>>);
+static_assert(kernel<perturbed<graded_archetype>, 3>);
+static_assert(kernel<perturbed<filtered<graded_archetype>>, 3>);
 static_assert(!graded_kernel<perturbed<graded_archetype>>);
 
 struct without_offset : graded_archetype {
@@ -245,11 +245,11 @@ struct cross_of_one : graded_archetype {
 struct orientation_at_is_int : graded_archetype {
   int orientation_at(int, const triple&) const;
 };
-static_assert(kernel<without_offset> && !graded_kernel<without_offset>);
-static_assert(kernel<closing_at_may_be_open> && !graded_kernel<closing_at_may_be_open>);
-static_assert(kernel<meeting_of_may_be_missing> && !graded_kernel<meeting_of_may_be_missing>);
-static_assert(kernel<cross_of_one> && !graded_kernel<cross_of_one>);
-static_assert(kernel<orientation_at_is_int> && !graded_kernel<orientation_at_is_int>);
+static_assert(kernel<without_offset, 3> && !graded_kernel<without_offset>);
+static_assert(kernel<closing_at_may_be_open, 3> && !graded_kernel<closing_at_may_be_open>);
+static_assert(kernel<meeting_of_may_be_missing, 3> && !graded_kernel<meeting_of_may_be_missing>);
+static_assert(kernel<cross_of_one, 3> && !graded_kernel<cross_of_one>);
+static_assert(kernel<orientation_at_is_int, 3> && !graded_kernel<orientation_at_is_int>);
 
 }  // namespace
 

@@ -316,7 +316,7 @@ class kernel_laws : public testing::Test {
 TYPED_TEST_SUITE_P(kernel_laws);
 
 TYPED_TEST_P(kernel_laws, SatisfiesTheConcept) {
-  static_assert(kernel<kernel_of<TypeParam>>);
+  static_assert(kernel<kernel_of<TypeParam>, 3>);
   this->for_each_family(false, [](const auto& k, const planes& p, dice&, family) { EXPECT_EQ(k.size(), static_cast<plane_id>(p.size())); });
 }
 

@@ -376,7 +376,7 @@ TEST(Corrupted, ContractionsAreRefuted) {
 }
 
 // A kernel that does not see one meeting: the wavefront runs through itself there.
-template <kernel K>
+template <kernel<3> K>
 class blind : public K {
  public:
   blind(K k, quadruple unseen) : K(std::move(k)), unseen_(unseen) {}

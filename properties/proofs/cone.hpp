@@ -231,6 +231,6 @@ class cone_kernel {
   std::vector<vec<wide>> normal_;
   std::vector<long> speed_;
 };
-static_assert(kernel<cone_kernel>);
+static_assert(kernel<cone_kernel, 3>);
 
 }  // namespace osteon::proofs

@@ -24,7 +24,8 @@
 
 namespace osteon {
 
-/// What the skeleton algorithm asks of space.
+/// What the algorithms of both dimensions D ask: planes in space (D = 3) or lines in the plane (D = 2), D of which meet in a vertex and
+/// D + 1 in an event. Line i of a plane kernel is n_i . x = d_i - t * sigma_i; an edge runs with its inner side on its left.
 ///
 /// Laws (tests/kernel_laws.hpp runs them on every kernel that calls itself exact):
 ///  K1 orientation changes its sign with every transposition; it is zero iff the normals are linearly dependent.
@@ -32,10 +33,8 @@ namespace osteon {
 ///  K3 compare is a total preorder: antisymmetric, transitive.
 ///  K4 nothing changes when a plane's equation is multiplied by a positive number (adaptors that perturb: where the
 ///     unperturbed answer is not zero).
-template <class K>
-concept kernel = std::copyable<typename K::meeting> &&
-    requires(const K& k, plane_id a, plane_id b, plane_id c, plane_id d, const quadruple& q, const typename K::meeting& m,
-             const typename K::bisector_type& e, std::span<const triple> tree) {
+template <class K, int D>
+concept moving_planes = std::copyable<typename K::meeting> && requires(const K& k, const meeting_planes<D>& q, const typename K::meeting& m) {
   // Whether every answer is the true one for the planes as given (for a rational kernel: for its rational speeds). An
   // inexact kernel may contradict itself; algorithms then end with undecided_error instead of an assertion.
   { K::exact } -> std::convertible_to<bool>;
@@ -43,21 +42,14 @@ concept kernel = std::copyable<typename K::meeting> &&
   // The number of planes. `same_as` and not `convertible_to`: ids are compared with it.
   { k.size() } -> std::same_as<plane_id>;
 
-  // Sign of det(n_a, n_b, n_c): how three planes meet. Zero: they have no common point, or a common line.
-  { k.orientation(a, b, c) } -> std::same_as<sign>;
-
-  // Whether the three *unperturbed* planes meet in one point. The same as orientation != zero but for adaptors that
-  // perturb: a corner made by a perturbation alone is infinitely far away and cannot be part of a vertex.
-  { k.transversal(a, b, c) } -> std::same_as<bool>;
-
-  // Plane intersection: the moment at which four planes meet, planes in any order; empty where S = 0 (they meet
+  // Plane intersection: the moment at which D + 1 planes meet, planes in any order; empty where S = 0 (they meet
   // always or never). Not a number: the algorithm can only hand it back.
   { k.meet(q) } -> std::same_as<std::optional<typename K::meeting>>;
 
-  // The four planes of a meeting, ascending.
-  { k.planes(m) } -> std::convertible_to<quadruple>;
+  // The planes of a meeting, ascending.
+  { k.planes(m) } -> std::convertible_to<meeting_planes<D>>;
 
-  // Sign of S for the four planes of a meeting in ascending order; never zero, since the meeting exists.
+  // Sign of S for the planes of a meeting in ascending order; never zero, since the meeting exists.
   { k.closing(m) } -> std::same_as<sign>;
 
   // The moment just after the beginning: later than every meeting at time zero, earlier than all other later ones.
@@ -65,6 +57,29 @@ concept kernel = std::copyable<typename K::meeting> &&
 
   // Order in time: negative when the first meeting is the earlier one, zero when they are simultaneous.
   { k.compare(m, m) } -> std::same_as<sign>;
+};
+
+/// A kernel of the plane.
+template <class K>
+concept kernel_of_lines = moving_planes<K, 2> && requires(const K& k, plane_id a, plane_id b, plane_id c, const typename K::meeting& m) {
+  // Sign of det(n_a, n_b): positive where an edge on b turns left from one on a. Zero: parallel.
+  { k.orientation(a, b) } -> std::same_as<sign>;
+  // Whether the *unperturbed* lines cross. The same as orientation != zero but for adaptors that perturb.
+  { k.transversal(a, b) } -> std::same_as<bool>;
+  // The moving vertex (a,b) at the moment of m against line c: positive inside. Requires orientation(a,b) != zero.
+  { k.side(c, a, b, m) } -> std::same_as<sign>;
+};
+
+/// A kernel of space.
+template <class K>
+concept kernel_of_planes = moving_planes<K, 3> && requires(const K& k, plane_id a, plane_id b, plane_id c, plane_id d, const typename K::meeting& m,
+                                                           const typename K::bisector_type& e, std::span<const triple> tree) {
+  // Sign of det(n_a, n_b, n_c): how three planes meet. Zero: they have no common point, or a common line.
+  { k.orientation(a, b, c) } -> std::same_as<sign>;
+
+  // Whether the three *unperturbed* planes meet in one point. The same as orientation != zero but for adaptors that
+  // perturb: a corner made by a perturbation alone is infinitely far away and cannot be part of a vertex.
+  { k.transversal(a, b, c) } -> std::same_as<bool>;
 
   // The moving vertex (a,b,c) at the moment of m against plane d: positive inside. Zero: on the plane. Requires
   // orientation(a,b,c) != zero, and for the start that the four planes meet in one point at time zero.
@@ -80,6 +95,10 @@ concept kernel = std::copyable<typename K::meeting> &&
   // the difference of the offset solids' volumes. Requires that all planes pass through one point at time zero.
   { k.compare_volume(tree, tree) } -> std::same_as<sign>;
 };
+
+/// What a straight skeleton's algorithms ask of numbers, in the plane (D = 2) or in space (D = 3).
+template <class K, int D>
+concept kernel = (D == 2 && kernel_of_lines<K>) || (D == 3 && kernel_of_planes<K>);
 
 /// A kernel, of space or of the plane, whose predicates can be asked for the coefficient of any power of an infinitesimal, which is what the
 /// adaptor `perturbed` needs (design 04). Grade 0 is the unperturbed predicate; plane i is taken as

@@ -40,7 +40,7 @@ struct contracted_skeleton {
 };
 
 /// Contracts under the *unperturbed* kernel, whose zeros say what coincides.
-template <planar_kernel K>
+template <kernel<2> K>
 class contraction {
  public:
   contraction(const K& k, const std::vector<int>& line_of_edge, const skeleton& raw) : k_(k), line_(line_of_edge), raw_(raw) {}
@@ -393,7 +393,7 @@ class contraction {
   std::vector<int> degree_;
 };
 
-template <planar_kernel K>
+template <kernel<2> K>
 contracted_skeleton contract(const K& k, const std::vector<int>& line_of_edge, const skeleton& raw) {
   return contraction<K>(k, line_of_edge, raw).run();
 }

@@ -27,7 +27,7 @@ struct candidate {
 /// Candidates in order of time. They wait in slices of time, unsorted. A slice that begins is sorted and taken by portions into a heap with their
 /// meetings, which stays small and close at hand. Most comparisons are decided by enclosures of their times; the kernel is asked where these overlap.
 /// Simultaneous meetings, which only unperturbed kernels know, come in the order of their lines.
-template <planar_kernel K>
+template <kernel<2> K>
 class event_queue {
  public:
   using meeting = typename K::meeting;

@@ -49,7 +49,7 @@ struct skeleton_options {
 /// One run of the wavefront. A candidate for an event is an edge that vanishes, or a reflex vertex and an edge that it may hit; one whose elements
 /// have changed is dropped, because what changes is looked at anew. What the event is, is read off the wavefront at its moment. Reflex vertices and
 /// the edges they may reach are found window of time by window of time, by overlapping boxes of what they sweep in it.
-template <planar_kernel K, motion_bounds Motion>
+template <kernel<2> K, motion_bounds Motion>
 class propagation {
  public:
   propagation(const K& k, const boundary& polygon, const Motion& motion, const skeleton_options& o = {})

@@ -16,7 +16,7 @@ namespace osteon::plane {
 
 /// Rings of edges that never vanish, after all meetings of a perturbed kernel that are not infinitely late. On which side of a line a moving vertex
 /// is then, the meeting of the three lines tells: the distance is linear in time, and S is its slope but for the sign of lambda.
-template <planar_kernel K>
+template <kernel<2> K>
 class last_wavefront {
  public:
   struct edge {

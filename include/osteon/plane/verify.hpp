@@ -74,7 +74,7 @@ inline void demand(bool holds, rule r, const char* what, int number, const char*
 inline bool exists(int id, std::size_t size) { return id >= 0 && static_cast<std::size_t>(id) < size; }
 
 /// Rings of edges on lines of the kernel.
-template <planar_kernel K>
+template <kernel<2> K>
 void check_boundary(const K& k, const boundary& polygon) {
   const std::size_t n = polygon.next.size();
   demand(n <= std::numeric_limits<int>::max() / 4 && polygon.line.size() == n && polygon.rank.size() == n, rule::structure, "polygon of edges", n,
@@ -91,7 +91,7 @@ void check_boundary(const K& k, const boundary& polygon) {
 }  // namespace certificate
 
 /// Replays a raw skeleton under a kernel that never answers zero for different lines (perturbed<K>).
-template <planar_kernel K>
+template <kernel<2> K>
 class verifier {
  public:
   verifier(const K& k, const boundary& polygon, const skeleton& s, bool outside, bool stationary)
@@ -711,13 +711,13 @@ class verifier {
 /// not bounded (see make_polygon), and what never ends is checked too; `held` tells that edges of weight zero may be among it. No skeleton, however
 /// wrong, does harm. Time O(n log n), about ten predicates for each event, and with `outside` and `held` quadratic in the number of edges that never
 /// vanish; memory linear.
-template <planar_kernel K>
+template <kernel<2> K>
 std::optional<refutation> verify(const K& k, const boundary& polygon, const skeleton& raw, bool outside = false, bool stationary = false) {
   return verifier<K>(k, polygon, raw, outside, stationary).run();
 }
 
 /// Checks a contracted skeleton against a certified raw one, under the kernel below the perturbation.
-template <planar_kernel K>
+template <kernel<2> K>
 class contraction_verifier {
  public:
   contraction_verifier(const K& k, const boundary& polygon, const skeleton& raw, const contracted_skeleton& given)
@@ -897,7 +897,7 @@ class contraction_verifier {
 /// Certifies a contracted skeleton, or refutes it. `k` is the kernel below the perturbation; `raw` must have been certified. It is looked at
 /// by itself first (places, times, faces around each node) and then compared with what contraction makes of the raw skeleton. Expected linear time,
 /// but for sorting.
-template <planar_kernel K>
+template <kernel<2> K>
 std::optional<refutation> verify_contraction(const K& k, const boundary& polygon, const skeleton& raw, const contracted_skeleton& contracted) {
   return contraction_verifier<K>(k, polygon, raw, contracted).run();
 }

@@ -28,7 +28,7 @@ struct split_count {
 /// A lower bound for the number of valid trees, from one of them. The facets below a diagonal of the tree may be joined in several ways; ways below
 /// diagonals that have no facets in common combine freely, for whether a tree is valid is decided for each facet's border alone, and no border sees
 /// two of them. Tries all ways below the diagonals of four to seven facets. Requires facets in different planes.
-template <kernel K>
+template <kernel<3> K>
 std::vector<std::uint64_t> independent_ways(const splitter<K>& s, const split_tree& t) {
   struct part {
     int first, last;
@@ -74,7 +74,7 @@ std::vector<std::uint64_t> independent_ways(const splitter<K>& s, const split_tr
 
 /// Counts the valid trees of a vertex: exactly where there are at most `most_listed`, else from below. A vertex that needs no split has one. Errors
 /// as for preferred_split.
-template <kernel K>
+template <kernel<3> K>
 split_count count_splits(const K& k, const boundary& b, int vertex, std::uint64_t most_listed = 10'000) {
   const auto& v = b.vertices[static_cast<std::size_t>(vertex)];
   const corner c = corner_at(b, vertex);

@@ -47,7 +47,7 @@ struct contracted_skeleton {
 };
 
 /// Contracts under the *unperturbed* kernel, whose zeros say what coincides.
-template <kernel K>
+template <kernel<3> K>
 class contraction {
  public:
   contraction(const K& k, const boundary& solid, const skeleton& raw) : k_(k), solid_(solid), raw_(raw) {}
@@ -466,7 +466,7 @@ class contraction {
 };
 
 /// The exact skeleton behind a raw one. `k` is the kernel below the perturbation.
-template <kernel K>
+template <kernel<3> K>
 contracted_skeleton contract(const K& k, const boundary& solid, const skeleton& raw) {
   return contraction<K>(k, solid, raw).run();
 }

@@ -45,7 +45,7 @@ inline constexpr int greatest_remembered_degree = 300;
 
 /// The signs of one corner, just after the start. Facets are numbers 0 .. degree - 1 around the corner. Up to greatest_remembered_degree each
 /// predicate is asked of the kernel once.
-template <kernel K>
+template <kernel<3> K>
 class corner_signs {
  public:
   /// `bounded` demands that all vertices stay near, as a solid needs it. Without it three planes that share a line may make a vertex too, which is

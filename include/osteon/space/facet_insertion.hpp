@@ -30,7 +30,7 @@ struct facet_insertion {
 /// All floods at a vertex that leave the flooding facet a strip of positive width: its two borders are parallel, and
 /// just after the start each lies on the facet's side of the other. Decided in the plane across the edge; the fourth
 /// plane of the predicates only cuts it out.
-template <kernel K>
+template <kernel<3> K>
 std::vector<facet_insertion> facet_insertions_at(const K& k, const boundary& b, int vertex) {
   std::vector<facet_insertion> result;
   const auto& v = b.vertices[static_cast<std::size_t>(vertex)];

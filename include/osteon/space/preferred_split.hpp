@@ -27,7 +27,7 @@ namespace osteon {
 /// The only valid tree of a corner whose edges are all convex, or all reflex (thesis 3.8), as its diagonals, ascending: facets join in random order,
 /// each taking the vertices that it cuts off (reflex: fills) by flips. Expected cost O(k log k), a constant number of predicates for each facet.
 /// Requires degree >= 4.
-template <kernel K>
+template <kernel<3> K>
 std::vector<std::pair<int, int>> only_split(const K& k, const corner& c) {
   const int n = c.degree();
   const auto start = k.start();
@@ -95,7 +95,7 @@ struct chosen_split {
 /// to degree greatest_listed_degree and where facets share a plane, the first in the thesis's order; else the first in the order of split_search.
 /// Throws unsupported_error where that would take too long, or too much memory: above degree greatest_split_degree where facets share a plane, above
 /// greatest_remembered_degree where edges are both convex and reflex.
-template <kernel K>
+template <kernel<3> K>
 std::optional<chosen_split> preferred_split(const K& k, const corner& c, split_preference preference) {
   constexpr int greatest_listed_degree = 7;  // up to here listing is as fast
   const splitter<K> s(k, c);
@@ -137,7 +137,7 @@ std::optional<chosen_split> preferred_split(const K& k, const corner& c, split_p
 
 /// One of the valid trees, each with the same chance, by rejection among candidates of split_search; the preferred one of most convex edges where a
 /// thousand of them are rejected. Errors as for preferred_split.
-template <kernel K>
+template <kernel<3> K>
 std::optional<chosen_split> random_split(const K& k, const corner& c, std::uint64_t seed) {
   const splitter<K> s(k, c);
   std::mt19937_64 random(seed);

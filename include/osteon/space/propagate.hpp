@@ -44,7 +44,7 @@ constexpr saddle_rule default_saddle(split_preference p) {
 
 /// One run of the wavefront. Candidates for events are meetings of four planes, nothing more: whether one is an event
 /// is read off the wavefront at its moment, so candidates never become stale and need no bookkeeping.
-template <kernel K>
+template <kernel<3> K>
 class propagation {
  public:
   propagation(const K& k, const boundary& solid, const skeleton_options& o)
@@ -630,7 +630,7 @@ class propagation {
 };
 
 /// The straight skeleton of a solid under a kernel that has its planes. See propagation::run for errors and cost.
-template <kernel K>
+template <kernel<3> K>
 skeleton straight_skeleton(const K& k, const boundary& solid, const skeleton_options& o = {}) {
   return propagation<K>(k, solid, o).run();
 }

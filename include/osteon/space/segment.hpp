@@ -26,32 +26,32 @@ struct segment {
 };
 
 /// Sign of a predicate that the generic algorithm needs to be non-zero.
-template <kernel K>
+template <kernel<3> K>
 sign generic(const K&, sign s, const char* question, std::initializer_list<plane_id> planes) {
   if (s == sign::zero) throw degenerate_error(planes, question);
   return s;
 }
 
-template <kernel K>
+template <kernel<3> K>
 sign generic_side(const K& k, plane_id d, plane_id a, plane_id b, plane_id c, const typename K::meeting& m) {
   return generic(k, k.side(d, a, b, c, m), "the distance of a vertex from a plane", {a, b, c, d});
 }
 
-template <kernel K>
+template <kernel<3> K>
 sign generic_orientation(const K& k, plane_id a, plane_id b, plane_id c) {
   return generic(k, k.orientation(a, b, c), "the orientation", {a, b, c});
 }
 
 /// Whether the segment lies on the inner side of plane `third` near its end there: at a tail it runs in the direction
 /// n_0 x n_1, along which h_third grows iff orientation(n_0, n_1, n_third) < 0.
-template <kernel K>
+template <kernel<3> K>
 bool runs_inside(const K& k, plane_id p, plane_id q, plane_id third, int end) {
   return (generic_orientation(k, p, q, third) == sign::negative) == (end == 0);
 }
 
 /// Whether the corner (e.planes, x) lies on the closed segment at the moment m. Its ends in plane x count as passed:
 /// the corner is that end then.
-template <kernel K>
+template <kernel<3> K>
 bool on_segment(const K& k, const segment& e, plane_id x, const typename K::meeting& m) {
   for (int s = 0; s < 2; ++s)
     if (e.third[s] >= 0 && e.third[s] != x && (generic_side(k, e.third[s], e.planes[0], e.planes[1], x, m) == sign::positive) != e.inside[s])
@@ -63,7 +63,7 @@ bool on_segment(const K& k, const segment& e, plane_id x, const typename K::meet
 /// of plane l, given by its edges: whether the corner lies on that edge's inner side and so in the facet; nothing where no
 /// edge is met. Requires that the corner lies on none of the edges. A fourth plane that passes through the corner must be named. The line of sight is
 /// moved a little to the inner side of i, so that it meets no end of an edge. Linear in the number of edges.
-template <kernel K, class Segments>
+template <kernel<3> K, class Segments>
 std::optional<bool> locate_in_facet(const K& k, const Segments& edges_of_l, plane_id l, plane_id i, plane_id j, bool into_j,
                                     const typename K::meeting& m, plane_id fourth = -1) {
   const segment* nearest = nullptr;

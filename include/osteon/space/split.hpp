@@ -97,7 +97,7 @@ inline std::uint64_t catalan(int n) {
 }
 
 /// Splits of one corner, decided by a kernel.
-template <kernel K>
+template <kernel<3> K>
 class splitter {
  public:
   /// Requires degree >= 4; `bounded` as for corner_signs.

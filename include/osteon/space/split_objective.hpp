@@ -54,7 +54,7 @@ class edge_count {
 };
 
 /// Worth of a tree: the offset's volume, greatest or least. Lists of vertices that share their tails.
-template <kernel K>
+template <kernel<3> K>
 class offset_volume {
  public:
   struct part {

@@ -52,7 +52,7 @@ struct searched_split {
 /// All candidates of one corner, without listing them. Requires degree >= 4. Where facets share a plane (thesis 3.3.3), two candidates may be one
 /// forest, and one without crossing edges need not be valid. `Count` counts them: an integer of any size for exact counts, double where their number
 /// does not matter. Cost: k^4 / 24 signs, each asked once, and about k^4 steps; memory k^3.
-template <kernel K, class Measure, class Count = double>
+template <kernel<3> K, class Measure, class Count = double>
 class split_search {
  public:
   using diagonals = searched_split::diagonals;

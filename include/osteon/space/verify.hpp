@@ -122,7 +122,7 @@ constexpr bool makes_facet_from_nowhere(function f, unsigned created) {
 
 /// Checks a raw skeleton under a kernel that never answers zero for different planes (perturbed<K>): exactly, for unit and other
 /// weights, in time about the sum over cells of the squared number of their sheets.
-template <kernel K>
+template <kernel<3> K>
 class verifier {
  public:
   verifier(const K& k, const boundary& solid, const skeleton& s) : k_(k), solid_(solid), s_(s) {}
@@ -719,7 +719,7 @@ class verifier {
 };
 
 /// Compares a contracted skeleton with the contraction of a certified raw one. `k` is the kernel below the perturbation.
-template <kernel K>
+template <kernel<3> K>
 std::optional<refutation> verify_contraction(const K& k, const boundary& solid, const skeleton& raw, const contracted_skeleton& given) {
   const contracted_skeleton right = contract(k, solid, raw);
   const auto differs = [](const auto& x, const auto& y, const char* what, auto same) -> std::optional<refutation> {
@@ -743,7 +743,7 @@ std::optional<refutation> verify_contraction(const K& k, const boundary& solid, 
 }
 
 /// Certifies a raw skeleton of a solid, or refutes it. `k` is a perturbed kernel with the solid's planes.
-template <kernel K>
+template <kernel<3> K>
 std::optional<refutation> verify(const K& k, const boundary& solid, const skeleton& s) {
   return verifier<K>(k, solid, s).run();
 }
