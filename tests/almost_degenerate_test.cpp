@@ -11,7 +11,7 @@
 #include <iostream>
 
 #include "osteon/input/mesh_repair.hpp"
-#include "osteon/models/polyhedra.hpp"
+#include "osteon/models/registry.hpp"
 #include "osteon/space/contract.hpp"
 #include "support.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "isomorphism.hpp"
 #include "osteon/input/mesh_repair.hpp"
-#include "osteon/models/polyhedra.hpp"
+#include "osteon/models/registry.hpp"
 #include "osteon/space/contract.hpp"
 #include "support.hpp"
 
