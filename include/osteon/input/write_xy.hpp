@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <ostream>
 
-#include "osteon/input/polygon.hpp"
+#include "osteon/input/rings.hpp"
 #include "osteon/input/write_number.hpp"
 
 namespace osteon::plane {

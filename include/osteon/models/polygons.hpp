@@ -11,7 +11,7 @@
 /// taken as that one. Time and space are linear unless stated otherwise.
 
 #include "osteon/input/exact_number.hpp"
-#include "osteon/input/polygon.hpp"
+#include "osteon/input/rings.hpp"
 #include "osteon/models/cell_grid.hpp"
 #include "osteon/models/hilbert.hpp"
 #include "osteon/models/polygon_tools.hpp"
