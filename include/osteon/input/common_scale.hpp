@@ -14,14 +14,15 @@
 
 namespace osteon {
 
-/// The limits of scale, so that no input can push memory beyond: by so many bits may the common
-/// scale lengthen a number (numbers that are read from text differ by at most some 8,000), and by so
-/// many all numbers together (half a gigabyte).
+/// The limit of bits by which the common scale may lengthen a number. Numbers that are read from
+/// text differ by at most some 8,000.
 inline constexpr double most_bits_of_scale = 1e5;
+/// The limit of bits by which the common scale may lengthen all numbers together, so that no input
+/// can push memory beyond half a gigabyte.
 inline constexpr double most_bits_of_all = 4e9;
 
-/// A common scale of numbers: the finest of them, 10^ten * 2^two, is its unit. First all numbers are
-/// added, then each is scaled.
+/// A common scale of numbers: the finest of them, 10^ten * 2^two, is its unit. First all numbers
+/// are added, then each is scaled.
 template <class Int>
 class common_scale {
  public:

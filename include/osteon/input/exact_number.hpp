@@ -20,14 +20,15 @@ struct exact_number {
   int ten = 0;
   int two = 0;
 
-  /// Returns whether two numbers are written alike. Numbers that both come from decimal text, or both
-  /// from doubles, are equal only if they are written alike.
+  /// Returns whether two numbers are written alike. Numbers that both come from decimal text, or
+  /// both from doubles, are equal only if they are written alike.
   friend bool operator==(const exact_number&, const exact_number&) = default;
 };
 
-/// The limits of numbers in text: so many digits without leading and trailing zeros; and a number is
-/// zero, or its absolute value lies between 10^-greatest_exponent and 10^greatest_exponent.
+/// The limit of digits of a number in text, leading and trailing zeros not counted.
 inline constexpr int longest_mantissa = 1000;
+/// The limit of magnitude of a number in text: it is zero, or its absolute value lies between
+/// 10^-greatest_exponent and 10^greatest_exponent.
 inline constexpr int greatest_exponent = 400;
 
 /// Why a text is no number: it is not written like one, or it is beyond the limits above.
@@ -83,8 +84,8 @@ class digit_string {
   int zeros_ = 0;
 };
 
-/// Reads the digits of an exponent, with or without a sign, up to the end of the text; nothing where
-/// there is something else. Exponents beyond a million are as good as infinite.
+/// Reads the digits of an exponent, with or without a sign, up to the end of the text; nothing
+/// where there is something else. Exponents beyond a million are as good as infinite.
 inline std::optional<long> read_exponent(std::string_view text) {
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);

@@ -23,6 +23,7 @@ template <class Int>
 class exact_points {
  public:
   exact_points() = default;
+  /// Takes points, numbered from 0.
   explicit exact_points(std::vector<std::array<Int, 2>> points) : points_(std::move(points)) {
     const std::span<const std::array<Int, 2>> all(points_);
     const unsigned shift = double_shift(all);
@@ -31,11 +32,14 @@ class exact_points {
     for (const auto& p : rough_)
       for (const double x : p) most = std::max(most, std::abs(x));
     exact_ = shift == 0 && most <= 0x1p52;  // then differences of coordinates are exact, too
-    // A coordinate is wrong by 2^-52 most at most (it was truncated, and shifted only where most >= 2^224), a difference by three times that.
+    // A coordinate is wrong by 2^-52 most at most (it was truncated, and shifted only where most >=
+    // 2^224), a difference by three times that.
     error_ = exact_ ? 0 : 0x1p-50 * most;
   }
 
+  /// Returns the number of points.
   std::size_t size() const { return points_.size(); }
+  /// Returns a point.
   const std::array<Int, 2>& operator[](int i) const { return points_[i]; }
   /// Returns a point in doubles, which have the order of the true coordinates.
   const std::array<double, 2>& rough(int i) const { return rough_[i]; }
@@ -54,7 +58,8 @@ class exact_points {
   }
 
   /// Returns whether c lies left of the line from a to b (positive), right, or on it.
-  /// *Source* for the error bound: Shewchuk, Adaptive precision floating-point arithmetic, section 4.1.
+  /// *Source* for the error bound: Shewchuk, Adaptive precision floating-point arithmetic, section
+  /// 4.1.
   sign turn(int a, int b, int c) const {
     const double bx = rough_[b][0] - rough_[a][0];
     const double by = rough_[b][1] - rough_[a][1];

@@ -46,7 +46,8 @@ class chord_search {
   int size() const { return static_cast<int>(s_.input.facets.size()); }
   const std::vector<int>& loop(int f) const { return s_.loop(static_cast<std::size_t>(f)); }
 
-  // The corners that a facet has in common with later ones, if there are two or more; for each of these in order along the common line.
+  // The corners that a facet has in common with later ones, if there are two or more; for each of
+  // these in order along the common line.
   std::vector<facet_and_corner> common_corners(int f) {
     std::vector<facet_and_corner> common;
     for (const int p : loop(f))

@@ -23,8 +23,8 @@ namespace osteon {
 
 namespace detail {
 
-/// Returns two edges of a facet that meet where they must not, or nothing. Sweeps the loop along the
-/// longer of its axes.
+/// Returns two edges of a facet that meet where they must not, or nothing. Sweeps the loop along
+/// the longer of its axes.
 template <class Int>
 std::optional<bad_contact> find_edges_that_meet(const surface<Int>& s, int f) {
   const projected_facet<Int> facet(s, f);
@@ -59,8 +59,8 @@ struct passes_along {
 };
 
 /// Returns whether the inside of a loop has disjoint sectors around point v, which the loop passes
-/// several times. Then, counter-clockwise, the edge by which a pass leaves is followed by the one by
-/// which it arrived.
+/// several times. Then, counter-clockwise, the edge by which a pass leaves is followed by the one
+/// by which it arrived.
 template <class Int>
 bool has_disjoint_sectors(const surface<Int>& s, const std::array<int, 2>& axes, int v, const std::map<int, passes_along>& ends) {
   const auto direction = [&](int w) {
@@ -108,9 +108,10 @@ std::optional<bad_contact> find_bad_corner(const surface<Int>& s, int f) {
 
 }  // namespace detail
 
-/// Returns where a facet's loop is not the oriented boundary of one region, or nothing. Edges of the
-/// loop may meet in ends and run along each other as a whole (slits to holes lie inside); at a point
-/// that the loop passes more than once, the inside's sectors must be disjoint. Both together suffice.
+/// Returns where a facet's loop is not the oriented boundary of one region, or nothing. Edges of
+/// the loop may meet in ends and run along each other as a whole (slits to holes lie inside); at a
+/// point that the loop passes more than once, the inside's sectors must be disjoint. Both together
+/// suffice.
 /// *Requires* a surface with planes.
 /// *Complexity* about n log n, and the number of pairs of edges that overlap along the longer axis.
 template <class Int>

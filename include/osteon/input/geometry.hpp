@@ -44,8 +44,8 @@ Number cross(const Number& ax, const Number& ay, const Number& bx, const Number&
 }
 
 /// Returns twice the signed area of the triangle abc of the plane: positive where its corners run
-/// counter-clockwise. For integers of a fixed size the caller must know that nothing overflows: long
-/// is exact for points of a square of side 2^31.
+/// counter-clockwise. For integers of a fixed size the caller must know that nothing overflows:
+/// long is exact for points of a square of side 2^31.
 template <class Number>
 Number twice_area(const std::array<Number, 2>& a, const std::array<Number, 2>& b, const std::array<Number, 2>& c) {
   return cross<Number>(b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]);
@@ -70,8 +70,8 @@ vec<Int> area_vector(std::span<const vec<Int>> points, std::span<const int> loop
   return sum;
 }
 
-/// Returns the two axes that are kept when a polygon with this normal is projected along the axis of
-/// its largest component, in the order in which counter-clockwise stays counter-clockwise.
+/// Returns the two axes that are kept when a polygon with this normal is projected along the axis
+/// of its largest component, in the order in which counter-clockwise stays counter-clockwise.
 template <class Int>
 std::array<int, 2> projection(const vec<Int>& normal) {
   int axis = 0;

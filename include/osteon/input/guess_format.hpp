@@ -44,8 +44,8 @@ inline std::string_view skip_blanks_and_comments(std::string_view text) {
   return text;
 }
 
-/// Returns the format that the first word of a text tells: GeoJSON begins with a bracket, OBJ with a
-/// statement, well-known text with the name of a geometry, lines of points with a number; nothing
+/// Returns the format that the first word of a text tells: GeoJSON begins with a bracket, OBJ with
+/// a statement, well-known text with the name of a geometry, lines of points with a number; nothing
 /// where the word is none of these.
 inline std::optional<format> format_of_text(std::string_view text) {
   static constexpr std::array<std::string_view, 8> geometries = {"MULTIPOLYGON",    "POLYGON", "POINT",      "LINESTRING",

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// The incidences of a closed surface of polygons: half-edges, and the fans of facets around points.
+/// The incidences of a closed surface of polygons: half-edges, and the fans of facets around
+/// points.
 
 #include <algorithm>
 #include <cstddef>
@@ -16,8 +17,8 @@
 
 namespace osteon {
 
-/// Half-edges, numbered facet by facet, corner by corner. A half-edge leads from a corner of its facet
-/// to the next one; its twin is the same edge in the facet beyond it, in the other direction.
+/// Half-edges, numbered facet by facet, corner by corner. A half-edge leads from a corner of its
+/// facet to the next one; its twin is the same edge in the facet beyond it, in the other direction.
 class half_edge_mesh {
  public:
   /// A half-edge: the point it starts at, its facet, its neighbours in the facet, and its twin (-1
@@ -42,9 +43,13 @@ class half_edge_mesh {
     }
   }
 
+  /// Returns the number of half-edges.
   int size() const { return static_cast<int>(edges_.size()); }
+  /// Returns a half-edge.
   const half_edge& operator[](int h) const { return edges_[h]; }
+  /// Returns the range of all half-edges.
   auto begin() const { return edges_.begin(); }
+  /// Returns its end.
   auto end() const { return edges_.end(); }
 
   /// Returns the point that a half-edge leads to.

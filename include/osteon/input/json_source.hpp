@@ -23,7 +23,8 @@ inline constexpr std::size_t deepest_nesting = 500;
 /// JSON token by token, strict, without recursion.
 class json_source {
  public:
-  /// The kinds of tokens. A key is a string that names a member of an object; words are true, false and null.
+  /// The kinds of tokens. A key is a string that names a member of an object; words are true, false
+  /// and null.
   enum class token : std::uint8_t { begin_object, end_object, begin_array, end_array, key, string, number, word, end };
 
   /// `name` of the text and what is `expected` in it are for messages.
@@ -65,8 +66,10 @@ class json_source {
     while (open_.size() >= depth) next();
   }
 
-  /// Returns the text of the key, string, number or word that was read; escapes of strings as they stand.
+  /// Returns the text of the key, string, number or word that was read; escapes of strings as they
+  /// stand.
   const std::string& text() const { return text_; }
+  /// Returns the text that the tokens come from.
   text_source& source() { return source_; }
 
  private:

@@ -55,8 +55,10 @@ void check_rings(const rings<Int>& r) {
 template <class Int>
 class polygon_builder {
  public:
+  /// Takes rings that check_rings has accepted.
   polygon_builder(rings<Int> r, bool outside) : in_(std::move(r)), outside_(outside), names_(in_), parts_(parts_of(in_)) { p_.repairs = in_.notes; }
 
+  /// Returns the polygon. To be called once.
   polygon<Int> build() {
     scale_weights();
     scale_points();
@@ -87,7 +89,8 @@ class polygon_builder {
     if (!sentence.empty()) p_.repairs.push_back(sentence);
   }
 
-  // Weights by point of the input, brought to integers with one common scale; none where no ring has any.
+  // Weights by point of the input, brought to integers with one common scale; none where no ring
+  // has any.
   void scale_weights() {
     const exact_number<Int> one = {Int(1), 0, 0};
     if (std::all_of(in_.all.begin(), in_.all.end(), [](const auto& ring) { return ring.weights.empty(); })) return;
@@ -117,7 +120,8 @@ class polygon_builder {
     p_.weight_two = scale.two();
   }
 
-  // Coordinates to integers with one common scale, moved to the middle of their box: that shortens offsets.
+  // Coordinates to integers with one common scale, moved to the middle of their box: that shortens
+  // offsets.
   void scale_points() {
     common_scale<Int> scale;
     for (const auto& ring : in_.all)
@@ -149,7 +153,8 @@ class polygon_builder {
     for (const auto& sentence : cleaning.repairs()) note(sentence);
   }
 
-  // Finds how the rings lie; the result is the order of vertices by place, empty where nothing touches.
+  // Finds how the rings lie; returns the rank of each vertex in the sweep, nothing where no points
+  // touch.
   std::vector<int> search() {
     plane_sweep<Int> sweep(points_, chains_.next, chains_.ring, chains_.rings());
     if (const auto bad = sweep.run()) refuse(*bad);
@@ -249,8 +254,8 @@ class polygon_builder {
 /// between edges of equal weight; rings with the wrong orientation (outer rings run
 /// counter-clockwise, holes clockwise; weights stay with their edges); boundaries that touch
 /// themselves or each other without crossing while the interior of each part stays connected. There
-/// the boundary has one vertex for each sector of the interior at the touching point, and follows the
-/// interior in place of the rings; `holes` counts the clockwise rings that result.
+/// the boundary has one vertex for each sector of the interior at the touching point, and follows
+/// the interior in place of the rings; `holes` counts the clockwise rings that result.
 ///
 /// With `outside`, vertices and lines are the same (where nothing touches), but turned round: edge
 /// next[i] of the polygon is its edge i. `parts` and `holes` are still those of the polygon. Its

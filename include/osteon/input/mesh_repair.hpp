@@ -42,8 +42,8 @@ bool is_ear(const surface<Int>& s, const std::vector<int>& loop, const std::arra
   });
 }
 
-/// Returns a facet cut into triangles by ears of its projection (Meisters 1975). What cannot be cut,
-/// because the loop crosses itself, is left as one piece, for the checks to refuse.
+/// Returns a facet cut into triangles by ears of its projection (Meisters 1975). What cannot be
+/// cut, because the loop crosses itself, is left as one piece, for the checks to refuse.
 /// *Complexity* quadratic in the facet where ears are easy to find, else cubic.
 template <class Int>
 std::vector<std::vector<int>> cut_ears(const surface<Int>& s, std::size_t f) {

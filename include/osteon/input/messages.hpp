@@ -10,8 +10,8 @@
 
 namespace osteon {
 
-/// Returns a word of a file in quotes, for a message: short, and nothing in it that a terminal would
-/// obey.
+/// Returns a word of a file in quotes, for a message: short, and nothing in it that a terminal
+/// would obey.
 inline std::string quote(std::string_view word) {
   std::string text = "'";
   for (const char c : word.substr(0, 40)) text += c < ' ' || c > '~' ? '?' : c;

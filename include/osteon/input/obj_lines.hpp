@@ -29,8 +29,8 @@ inline std::string_view next_word(std::string_view& line) {
   return word;
 }
 
-/// Returns whether a word begins a statement that carries no geometry of polygons: groups, materials,
-/// normals, textures.
+/// Returns whether a word begins a statement that carries no geometry of polygons: groups,
+/// materials, normals, textures.
 inline bool is_ignored(std::string_view word) {
   static constexpr std::array<std::string_view, 16> words = {"vt",     "vn",     "vp",     "g",     "o",        "s",        "mg",  "usemtl",
                                                              "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj"};
@@ -40,7 +40,8 @@ inline bool is_ignored(std::string_view word) {
 /// Returns whether a word begins a statement of OBJ that this library reads or skips.
 inline bool is_keyword(std::string_view word) { return word == "v" || word == "f" || is_ignored(word); }
 
-/// Returns whether a word begins a statement of points, lines, curves or surfaces, which no polyhedron has.
+/// Returns whether a word begins a statement of points, lines, curves or surfaces, which no
+/// polyhedron has.
 inline bool is_other_geometry(std::string_view word) {
   static constexpr std::array<std::string_view, 7> words = {"l", "p", "curv", "curv2", "surf", "cstype", "deg"};
   return std::find(words.begin(), words.end(), word) != words.end();

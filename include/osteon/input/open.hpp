@@ -14,8 +14,8 @@
 namespace osteon {
 
 /// Returns a file opened for reading, byte by byte. Names have no special meanings: "-" is a file.
-/// *Throws* input_error(unreadable) where there is no such file, where it is a folder, and where the
-/// system refuses.
+/// *Throws* input_error(unreadable) where there is no such file, where it is a folder, and where
+/// the system refuses.
 inline std::ifstream open_file(const std::string& name) {
   const auto refuse = [&](const std::string& why, const std::string& hint) {
     throw input_error(input_fault::unreadable, 0, name + ": cannot be opened: " + why, hint);

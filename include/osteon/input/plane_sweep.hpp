@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// The search for crossings and touchings among closed chains of edges, and which ring lies inside which: one plane sweep
-/// (Shamos and Hoey, Geometric intersection problems, FOCS 1976, section 4), exact, stopped by the first crossing.
+/// The search for crossings and touchings among closed chains of edges, and which ring lies inside
+/// which: one plane sweep (Shamos and Hoey, Geometric intersection problems, FOCS 1976, section 4),
+/// exact, stopped by the first crossing.
 
 #include <algorithm>
 #include <cstddef>
@@ -22,6 +23,7 @@ namespace osteon::plane {
 
 /// Where two chains meet although they must not. Edge i starts at vertex i.
 struct bad_contact {
+  /// What the two chains do.
   enum class kind : std::uint8_t {
     crossing,  ///< edges a and b cross
     overlap,   ///< edges a and b share more than a point
@@ -49,11 +51,12 @@ struct ring_relations {
 
   /// Returns the rays of a touching point.
   std::span<ray> rays_of(std::size_t t) { return std::span(rays).subspan(first_rays[t], first_rays[t + 1] - first_rays[t]); }
+  /// The same for constant relations.
   std::span<const ray> rays_of(std::size_t t) const { return std::span(rays).subspan(first_rays[t], first_rays[t + 1] - first_rays[t]); }
 };
 
-/// A sweep over closed chains without edges of length zero and without turns by 180 degrees: vertex i is point i, and edge i leads from it to
-/// vertex next[i].
+/// A sweep over closed chains without edges of length zero and without turns by 180 degrees: vertex
+/// i is point i, and edge i leads from it to vertex next[i].
 /// *Complexity* O(n log n); linear memory, some 100 bytes a vertex.
 template <class Int>
 class plane_sweep {
@@ -85,11 +88,13 @@ class plane_sweep {
   /// Returns how the rings lie; complete after a run without bad contacts.
   ring_relations& found() { return found_; }
 
-  /// Returns a vertex's number in the order of points by x, then by y; vertices at one point have one number.
+  /// Returns a vertex's number in the order of points by x, then by y; vertices at one point have
+  /// one number.
   int rank(int vertex) const { return rank_[vertex]; }
 
  private:
-  // The edges that the sweep line meets, from below. An edge may take the place of another that it continues.
+  // The edges that the sweep line meets, from below. An edge may take the place of another that it
+  // continues.
   struct node {
     mutable int edge;
   };
@@ -145,7 +150,8 @@ class plane_sweep {
     return s == sign::zero ? points_.turn(q, right(a), right(b)) == sign::positive : s == sign::positive;
   }
 
-  // Two neighbours, one above the other: whether they cross later. That an end of one lies on the other is found when the sweep comes there.
+  // Two neighbours, one above the other: whether they cross later. That an end of one lies on the
+  // other is found when the sweep comes there.
   void check(int lower, int upper) {
     const int p = right(lower);
     const int q = right(upper);
@@ -215,7 +221,8 @@ class plane_sweep {
     return through;
   }
 
-  // Lists the edges that start at a point or run through it in leaving_, from below. Those in one direction overlap.
+  // Lists the edges that start at a point or run through it in leaving_, from below. Those in one
+  // direction overlap.
   void list_leaving(std::span<const int> vertices, int through) {
     const int v = vertices[0];
     leaving_.clear();

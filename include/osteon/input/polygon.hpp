@@ -16,11 +16,12 @@
 
 namespace osteon::plane {
 
-/// A checked polygon, or what is outside of one. Coordinates are integers: input = (coordinate + shift) * 10^ten * 2^two. The input's
-/// weights are those of the lines times 10^weight_ten * 2^weight_two.
+/// A checked polygon, or what is outside of one. Coordinates are integers: input = (coordinate +
+/// shift) * 10^ten * 2^two. The input's weights are those of the lines times 10^weight_ten *
+/// 2^weight_two.
 template <class Int>
 struct polygon {
-  std::vector<moving_line<Int>> lines;
+  std::vector<moving_line<Int>> lines;  ///< all different
   plane::boundary boundary;
   std::vector<std::array<Int, 2>> points;  ///< of the vertices
   std::vector<int> input_points;           ///< their numbers in the input, counted through all rings from 0
@@ -41,7 +42,8 @@ bool has_stationary_edge(const polygon<Int>& p) {
   return std::any_of(p.lines.begin(), p.lines.end(), [](const auto& l) { return l.weight == 0; });
 }
 
-/// Sets the rank of each edge among those on its line, in their direction, from the points where edges start.
+/// Sets the rank of each edge among those on its line, in their direction, from the points where
+/// edges start.
 /// *Complexity* O(n log n).
 template <class Int>
 void rank_edges(boundary& b, const std::vector<std::array<Int, 2>>& points) {

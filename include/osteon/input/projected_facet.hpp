@@ -18,6 +18,7 @@ namespace osteon {
 
 /// Where a surface meets itself although it must not.
 struct bad_contact {
+  /// What touches what.
   enum class kind : std::uint8_t {
     edge,    ///< edge (a,b) meets the facet outside their common corners and edges
     corner,  ///< the facet's loop passes the point a more than once, and its inside overlaps or turns over there
@@ -39,9 +40,12 @@ class projected_facet {
   projected_facet(const surface<Int>& s, int f)
       : s_(s), loop_(s.loop(static_cast<std::size_t>(f))), axes_(projection(s.plane(static_cast<std::size_t>(f)).n)) {}
 
+  /// Returns the points of the facet, in order.
   const std::vector<int>& loop() const { return loop_; }
-  /// Returns the axes that are kept, in the order in which counter-clockwise stays counter-clockwise.
+  /// Returns the axes that are kept, in the order in which counter-clockwise stays
+  /// counter-clockwise.
   const std::array<int, 2>& axes() const { return axes_; }
+  /// Returns the projection of a point.
   point2<Int> at(int p) const { return projected(s_.points[p], axes_); }
 
   /// Returns where a point of the facet's plane lies.
@@ -52,7 +56,8 @@ class projected_facet {
     return locate({sum(axes_[0]), sum(axes_[1]), Int(2)});
   }
 
-  /// Returns whether the edges (a,b) and (p,q) meet anywhere but in a common end, or but as a whole.
+  /// Returns whether the edges (a,b) and (p,q) meet anywhere but in a common end, or but as a
+  /// whole.
   bool edges_meet(int a, int b, int p, int q) const {
     if ((a == p && b == q) || (a == q && b == p)) return false;
     for (const int axis : axes_) {

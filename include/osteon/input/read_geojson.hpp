@@ -26,6 +26,7 @@ class geojson_reader {
  public:
   geojson_reader(std::istream& in, const std::string& name, std::string_view expected) : json_(in, name, expected) { result_.file = name; }
 
+  /// Reads the whole text. To be called once.
   rings<Int> read() {
     if (json_.next() != token::begin_object) fail(input_fault::not_polygon, "the text does not begin with an object", json_.source().hint());
     objects_.emplace_back();
@@ -166,8 +167,8 @@ class geojson_reader {
 
 }  // namespace detail
 
-/// Reads GeoJSON: a Polygon, a MultiPolygon, or a Feature, FeatureCollection or GeometryCollection of
-/// these; every polygon becomes a part. Heights and members that are no geometry are left out.
+/// Reads GeoJSON: a Polygon, a MultiPolygon, or a Feature, FeatureCollection or GeometryCollection
+/// of these; every polygon becomes a part. Heights and members that are no geometry are left out.
 /// Closing points are dropped. `name` of the text and what is `expected` in it are for messages.
 /// *Throws* input_error.
 /// *Complexity* linear.

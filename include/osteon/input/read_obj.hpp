@@ -72,9 +72,10 @@ inline std::vector<int> read_facet(const line_reader& lines, std::string_view re
 
 }  // namespace obj
 
-/// Reads points (`v`) and polygons (`f`, with texture and normal indices, negative indices). Groups,
-/// materials, normals and textures are skipped; lines, curves and surfaces are refused. Facets may
-/// name points that do not exist: make_solid looks at that. `name` of the text is for messages.
+/// Reads points (`v`) and polygons (`f`, with texture and normal indices, negative indices).
+/// Groups, materials, normals and textures are skipped; lines, curves and surfaces are refused.
+/// Facets may name points that do not exist: make_solid looks at that. `name` of the text is for
+/// messages.
 /// *Throws* input_error.
 /// *Complexity* linear.
 template <class Int>

@@ -46,9 +46,11 @@ class wkt_words {
     for (char& c : word_) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }
 
-  /// Returns the word that was read, and the line where it begins.
+  /// Returns the word that was read.
   const std::string& word() const { return word_; }
+  /// Returns the line where the word begins.
   std::size_t line() const { return line_; }
+  /// Returns whether the word is the one given.
   bool is(std::string_view word) const { return word_ == word; }
   /// Returns the word as it was written, in quotes.
   std::string quoted() const { return quote(original_); }
@@ -66,6 +68,7 @@ class wkt_words {
                  "write POLYGON ((x y, x y, ...), (...))");
   }
 
+  /// Returns the text that the words come from.
   text_source& source() { return source_; }
 
  private:
@@ -81,6 +84,7 @@ class wkt_reader {
  public:
   wkt_reader(std::istream& in, const std::string& name, std::string_view expected) : words_(in, name, expected) { result_.file = name; }
 
+  /// Reads the whole text. To be called once.
   rings<Int> read() {
     words_.next();
     if (words_.accept("SRID")) {  // PostGIS: SRID=4326;POLYGON ...
@@ -160,9 +164,9 @@ class wkt_reader {
 
 }  // namespace detail
 
-/// Reads well-known text: one POLYGON or MULTIPOLYGON, in any case. Z and M values are left out (see
-/// rings::notes), and comments from '#' to the end of the line. Closing points are dropped. `name` of
-/// the text and what is `expected` in it are for messages.
+/// Reads well-known text: one POLYGON or MULTIPOLYGON, in any case. Z and M values are left out
+/// (see rings::notes), and comments from '#' to the end of the line. Closing points are dropped.
+/// `name` of the text and what is `expected` in it are for messages.
 /// *Throws* input_error.
 /// *Complexity* linear.
 template <class Int>

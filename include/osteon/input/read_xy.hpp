@@ -27,6 +27,7 @@ class xy_reader {
   xy_reader(std::istream& in, const std::string& name, std::string_view expected)
       : source_(in, name, expected, input_fault::not_polygon), name_(name) {}
 
+  /// Reads the whole text. To be called once.
   rings<Int> read() {
     result_.file = name_;
     while (source_.peek() != text_source::end) {
@@ -113,8 +114,9 @@ class xy_reader {
 
 /// Reads lines `x y` or `x y weight`, the weight being that of the edge that starts at the point, 1
 /// where it is missing. Blank lines separate rings; the first ring is the outer one, all others are
-/// holes. '#' begins a comment; a line with nothing else is no blank line. A last point that repeats
-/// the first of its ring is dropped. `name` of the text and what is `expected` in it are for messages.
+/// holes. '#' begins a comment; a line with nothing else is no blank line. A last point that
+/// repeats the first of its ring is dropped. `name` of the text and what is `expected` in it are
+/// for messages.
 /// *Throws* input_error.
 /// *Complexity* linear.
 template <class Int>

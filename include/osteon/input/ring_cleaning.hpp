@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// From rings of points to chains of vertices: repeated points and straight corners disappear, spikes
-/// are refused.
+/// From rings of points to chains of vertices: repeated points and straight corners disappear,
+/// spikes are refused.
 
 #include <cstddef>
 #include <numeric>
@@ -30,7 +30,9 @@ struct ring_chains {
   int size_of_rings = 0;      ///< how many vertices belong to rings; those behind them cut edges
   std::vector<int> cut_at;    ///< by vertex that cuts an edge: a vertex of a ring at the same point
 
+  /// Returns the number of vertices.
   int size() const { return static_cast<int>(next.size()); }
+  /// Returns the number of rings.
   int rings() const { return static_cast<int>(first.size()); }
   /// Returns the number behind that of the last vertex of a ring.
   int end(int r) const { return r + 1 < rings() ? first[r + 1] : size_of_rings; }
@@ -49,8 +51,8 @@ class ring_cleaning {
       : points_(points), weights_(weights), names_(names) {}
 
   /// Returns the chains, and renumbers the points by the vertices that are left.
-  /// *Throws* input_error for rings with fewer than three different points (short_ring), without area
-  /// (zero_area), and with a corner at which they turn back (spike).
+  /// *Throws* input_error for rings with fewer than three different points (short_ring), without
+  /// area (zero_area), and with a corner at which they turn back (spike).
   ring_chains run() {
     for (int r = 0; r < names_.rings(); ++r) {
       remove_repeated(r);

@@ -23,6 +23,7 @@ struct ring_parts {
   std::vector<int> part;   ///< by ring
   std::vector<int> outer;  ///< by part: its outer ring
 
+  /// Returns whether a ring is the outer one of its part.
   bool is_outer(int ring) const { return outer[part[ring]] == ring; }
 };
 
@@ -39,8 +40,8 @@ ring_parts parts_of(const rings<Int>& r) {
   return result;
 }
 
-/// Checks that each hole lies directly inside the outer ring of its part, and no outer ring directly
-/// inside that of another part.
+/// Checks that each hole lies directly inside the outer ring of its part, and no outer ring
+/// directly inside that of another part.
 /// *Throws* input_error(misplaced_ring).
 template <class Int>
 void check_nesting(const ring_parts& parts, const ring_chains& chains, const ring_relations& relations, const ring_names<Int>& names) {

@@ -49,8 +49,8 @@ void note_heights(rings<Int>& r, std::size_t points) {
 }
 
 /// Returns rings from doubles, taken exactly; the first is the outer one, all others are holes.
-/// `weights`, if any, are those of the edges that start at the points. A last point that repeats the
-/// first of its ring is dropped.
+/// `weights`, if any, are those of the edges that start at the points. A last point that repeats
+/// the first of its ring is dropped.
 /// *Throws* input_error for NaN and infinities (bad_number), and where weights and points are not
 /// equally many (bad_weight).
 template <class Int>
@@ -97,8 +97,9 @@ class ring_names {
     }
   }
 
-  /// Returns the number of rings, and that of points.
+  /// Returns the number of rings.
   int rings() const { return static_cast<int>(first_.size()); }
+  /// Returns the number of points.
   int points() const { return size_; }
   /// Returns the first point of a ring; that of the next ring is behind its last.
   int first(int ring) const { return ring < rings() ? first_[ring] : size_; }
@@ -110,7 +111,8 @@ class ring_names {
     const int r = ring_of(point);
     return ring_name(r) + ", point " + std::to_string(point - first_[r] + 1);
   }
-  /// Returns the same behind the file and the line where the point was read: "FILE:12: ring 2, point 5".
+  /// Returns the same behind the file and the line where the point was read: "FILE:12: ring 2,
+  /// point 5".
   std::string name(int point) const {
     const int r = ring_of(point);
     const auto i = static_cast<std::size_t>(point - first_[r]);

@@ -60,7 +60,8 @@ class edge_facet_search {
     int a, b;
     std::array<int, 2> facets;
   };
-  // A facet's plane in doubles: the side of a point farther away than `error` is certain, else zero.
+  // A facet's plane in doubles: the side of a point farther away than `error` is certain, else
+  // zero.
   struct rough_plane {
     std::array<double, 3> n;
     double d;
@@ -215,7 +216,8 @@ class edge_facet_search {
 
 /// Returns a place where a surface meets itself although it must not, or nothing. Facets may have
 /// points in common, and edges with those next to them.
-/// *Requires* a surface with planes, of whose edges each belongs to two facets, once in each direction.
+/// *Requires* a surface with planes, of whose edges each belongs to two facets, once in each
+/// direction.
 /// *Complexity* about n log n plus the number of overlaps along the best axis of edges' and facets'
 /// boxes, of which those of overlapping boxes are linear in their facet.
 template <class Int>

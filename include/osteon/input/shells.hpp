@@ -69,7 +69,8 @@ class shells {
     }
   }
 
-  // How many other shells enclose each one. One point of a shell tells, if it does not belong to the other one as well.
+  // How many other shells enclose each one. One point of a shell tells, if it does not belong to
+  // the other one as well.
   void find_depths() {
     std::vector<box3> boxes;
     for (const auto& members : shells_) {

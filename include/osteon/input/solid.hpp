@@ -26,7 +26,7 @@ namespace osteon {
 /// A checked solid. Coordinates are integers: input = (coordinate + shift) * 10^ten * 2^two.
 template <class Int>
 struct solid {
-  std::vector<moving_plane<Int>> planes;
+  std::vector<moving_plane<Int>> planes;  ///< all different
   osteon::boundary boundary;
   std::vector<vec<Int>> points;        ///< of the boundary's vertices
   std::vector<int> input_points;       ///< by vertex: the number of its point in the mesh, from 0
@@ -37,11 +37,13 @@ struct solid {
   int two = 0;
 };
 
-/// Returns the solid whose surface is a mesh. Coplanar neighbours are merged, vertices of degree two
-/// removed, and planes with equal equation and weight share one number (docs/theory/degeneracy.md).
+/// Returns the solid whose surface is a mesh. Coplanar neighbours are merged, vertices of degree
+/// two removed, and planes with equal equation and weight share one number
+/// (docs/theory/degeneracy.md).
 /// *Throws* input_error naming the first fault, its element and a hint, unless the mesh is the
 /// boundary of a solid: closed, of planar facets that meet only in common edges and points, normals
-/// pointing outwards. A point may join several fans of facets only if each bounds material of its own.
+/// pointing outwards. A point may join several fans of facets only if each bounds material of its
+/// own.
 /// *Complexity* linear, but for sorting and the search for self-intersections.
 template <class Int>
 solid<Int> make_solid(input_mesh<Int> m) {

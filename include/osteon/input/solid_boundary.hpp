@@ -20,8 +20,8 @@
 
 namespace osteon {
 
-/// Makes the boundary. Its edges are those between different planes; where a fan of facets has two of
-/// them they are one edge that runs on, and where it has more it is a vertex.
+/// Makes the boundary. Its edges are those between different planes; where a fan of facets has two
+/// of them they are one edge that runs on, and where it has more it is a vertex.
 template <class Int>
 class solid_boundary {
  public:
@@ -37,9 +37,9 @@ class solid_boundary {
       if (vertex_[i] >= 0) surround(i);
   }
 
-  /// Returns the boundary; vertices are numbered in the order of their points.
+  /// Returns the boundary, to be taken away; vertices are numbered in the order of their points.
   boundary& result() { return boundary_; }
-  /// Returns the point of each vertex, by its number in the mesh.
+  /// Returns the point of each vertex, by its number in the mesh; to be taken away.
   std::vector<int>& points() { return points_; }
 
  private:

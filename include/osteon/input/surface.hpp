@@ -58,8 +58,8 @@ struct surface {
   vec<Int> direction(int h) const { return points[edges.to(h)] - points[edges[h].from]; }
 };
 
-/// Checks that facets are lists of at least three points that exist and differ from their successors,
-/// and that weights are positive and as many as facets, or none.
+/// Checks that facets are lists of at least three points that exist and differ from their
+/// successors, and that weights are positive and as many as facets, or none.
 /// *Throws* input_error.
 template <class Int>
 void check_facets(const input_mesh<Int>& m) {

@@ -17,20 +17,22 @@
 
 namespace osteon {
 
-/// Limits of what is read, so that no input can push memory beyond: the characters of a line or a
-/// word, the points, and the corners of all facets together.
+/// The limit of characters of a line or a word, so that no input can push memory beyond.
 inline constexpr std::size_t longest_line = 1U << 20U;
+/// The limit of points of a text.
 inline constexpr std::size_t most_points = 10'000'000;
+/// The limit of corners of all facets of a text together.
 inline constexpr std::size_t most_corners = 60'000'000;
 
-/// The characters of a text: line ends of any system are '\n', and UTF-8's byte order mark is left out.
+/// The characters of a text: line ends of any system are '\n', and UTF-8's byte order mark is left
+/// out.
 class text_source {
  public:
   /// The value that stands for the end of the text.
   static constexpr int end = -1;
 
-  /// `name` of the text and what is `expected` in it are for messages ("give EXPECTED"); a text with a
-  /// zero byte has the fault `other_kind`.
+  /// `name` of the text and what is `expected` in it are for messages ("give EXPECTED"); a text
+  /// with a zero byte has the fault `other_kind`.
   /// *Throws* input_error(unreadable) where nothing can be read from the stream.
   text_source(std::istream& in, const std::string& name, std::string_view expected, input_fault other_kind)
       : in_(in), name_(name), hint_("give " + std::string(expected)), other_kind_(other_kind), buffer_(1U << 16U, '\0') {
@@ -64,10 +66,11 @@ class text_source {
   /// Returns the hint that names what is expected.
   const std::string& hint() const { return hint_; }
 
-  /// Throws input_error for a line, or for that of the next character.
+  /// Throws input_error for a line: name and line, `what`, and the hint.
   [[noreturn]] void fail(input_fault fault, const std::string& what, const std::string& hint, std::size_t line) const {
     throw input_error(fault, line, name_ + ":" + std::to_string(line) + ": " + what, hint);
   }
+  /// The same for the line of the next character.
   [[noreturn]] void fail(input_fault fault, const std::string& what, const std::string& hint) const { fail(fault, what, hint, line_); }
 
   /// Appends a character to a word, which must not become absurdly long.
@@ -77,7 +80,8 @@ class text_source {
   }
 
   /// Returns the number that a word is.
-  /// *Throws* input_error for a line where it is none (bad_number) or beyond the limits (absurd_size).
+  /// *Throws* input_error for a line where it is none (bad_number) or beyond the limits
+  /// (absurd_size).
   template <class Int>
   exact_number<Int> number(std::string_view word, std::size_t line) const {
     exact_number<Int> value;
@@ -92,6 +96,7 @@ class text_source {
     }
     return value;
   }
+  /// The same for a word in the line of the next character.
   template <class Int>
   exact_number<Int> number(std::string_view word) const {
     return number<Int>(word, line_);

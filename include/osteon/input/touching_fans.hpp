@@ -24,7 +24,8 @@ class touching_fans {
   /// *Requires* a surface with planes and half-edges that does not meet itself but in such points.
   explicit touching_fans(const surface<Int>& s) : s_(s) {}
 
-  /// *Throws* input_error(non_manifold_vertex) for a point in which a fan lies on the inner side of another.
+  /// *Throws* input_error(non_manifold_vertex) for a point in which a fan lies on the inner side of
+  /// another.
   void check() const {
     std::map<int, std::vector<int>> at;  // the fans of a point
     for (const int h : s_.edges.fans()) at[s_.edges[h].from].push_back(h);
@@ -38,7 +39,8 @@ class touching_fans {
   }
 
  private:
-  // Where a direction in the plane of half-edge h's facet lies: in the facet's angle at h's corner, on its border, or outside.
+  // Where a direction in the plane of half-edge h's facet lies: in the facet's angle at h's corner,
+  // on its border, or outside.
   location in_angle(int h, const vec<Int>& d) const {
     const vec<Int>& n = s_.normal_of(h);
     const vec<Int> a = s_.direction(h);
@@ -52,8 +54,9 @@ class touching_fans {
     return inside ? location::inside : location::outside;
   }
 
-  // Whether the fan of half-edge g starts on the inner side of the fan of half-edge f around the same point. Follows the straight way from g's
-  // direction to a direction within a facet of f, chosen so that the way meets no edge of f.
+  // Whether the fan of half-edge g starts on the inner side of the fan of half-edge f around the
+  // same point. Follows the straight way from g's direction to a direction within a facet of f,
+  // chosen so that the way meets no edge of f.
   bool is_inside(int f, int g) const {
     const std::vector<int> facets = s_.edges.fan(f);
     for (unsigned attempt = 1; attempt <= 64; ++attempt) {
@@ -69,8 +72,8 @@ class touching_fans {
     return true;
   }
 
-  // Whether the straight way from one direction to another, in the target's facet, meets the first of the facets from inside; nothing where it meets
-  // that facet in an edge.
+  // Whether the straight way from one direction to another, in the target's facet, meets the first
+  // of the facets from inside; nothing where it meets that facet in an edge.
   std::optional<bool> meets_from_inside(const std::vector<int>& facets, int target, const vec<Int>& from, const vec<Int>& to) const {
     sign side = sign_of(Int(dot(s_.normal_of(target), from)));
     if (side == sign::zero) return std::nullopt;

@@ -23,9 +23,9 @@
 namespace osteon::plane {
 
 /// Links chains anew where they touch. An edge that runs through a touching point becomes two; the
-/// second starts at a new vertex, so that rays are those of vertices only. The interior lies left of
-/// every edge, so rays in and out take turns around a touching point, and each sector of the interior
-/// gets a vertex of its own.
+/// second starts at a new vertex, so that rays are those of vertices only. The interior lies left
+/// of every edge, so rays in and out take turns around a touching point, and each sector of the
+/// interior gets a vertex of its own.
 template <class Int>
 class touching_points {
  public:
@@ -43,7 +43,8 @@ class touching_points {
     for (std::size_t t = 0; t < size(); ++t) {
       const auto rays = relations_.rays_of(t);
       for (std::size_t i = 0; i < rays.size(); ++i) {
-        // Counter-clockwise, a sector of the interior begins with a ray out and ends with a ray in; one of the outside begins with a ray in.
+        // Counter-clockwise, a sector of the interior begins with a ray out and ends with a ray in;
+        // one of the outside begins with a ray in.
         const auto& here = rays[i];
         const auto& next = rays[(i + 1) % rays.size()];
         if (here.out == next.out) throw invariant_error("internal invariant violated: the interior lies on the left around a touching point");
@@ -56,7 +57,8 @@ class touching_points {
     }
   }
 
-  /// Returns the number of boundaries of the interior's pieces, counter-clockwise and clockwise ones.
+  /// Returns the number of boundaries of the interior's pieces, counter-clockwise and clockwise
+  /// ones.
   /// *Requires* that sectors of the interior are linked.
   /// *Throws* input_error(pinched) where a part has several pieces.
   int count_boundaries(const ring_parts& parts) const {
@@ -82,8 +84,8 @@ class touching_points {
     return count;
   }
 
-  /// Removes vertices in line between edges of equal weight. A touching from outside cuts nothing in
-  /// the interior, and two edges in line may have become neighbours.
+  /// Removes vertices in line between edges of equal weight. A touching from outside cuts nothing
+  /// in the interior, and two edges in line may have become neighbours.
   void join_straight(const std::vector<Int>& weights) {
     joined_.assign(static_cast<std::size_t>(chains_.size()), false);
     auto& next = chains_.next;
@@ -98,8 +100,8 @@ class touching_points {
     }
   }
 
-  /// Returns the vertices that are left in the order of the input, those of cuts behind the vertex in
-  /// which the cut edge starts.
+  /// Returns the vertices that are left in the order of the input, those of cuts behind the vertex
+  /// in which the cut edge starts.
   std::vector<int> ordered() const {
     std::vector<int> order;
     order.reserve(static_cast<std::size_t>(chains_.size()));

@@ -12,8 +12,8 @@
 
 namespace osteon::plane {
 
-/// Writes rings as lines `x y`, with a blank line between rings. A ring is a range of points, each of
-/// which holds two integers, doubles or exact numbers.
+/// Writes rings as lines `x y`, with a blank line between rings. A ring is a range of points, each
+/// of which holds two integers, doubles or exact numbers.
 template <class Rings>
 void write_xy(std::ostream& out, const Rings& all) {
   bool first = true;
@@ -29,8 +29,8 @@ void write_xy(std::ostream& out, const Rings& all) {
   }
 }
 
-/// Writes rings as lines `x y` or `x y weight`, without loss but for parts, which the format does not
-/// tell apart.
+/// Writes rings as lines `x y` or `x y weight`, without loss but for parts, which the format does
+/// not tell apart.
 template <class Int>
 void write_xy(std::ostream& out, const rings<Int>& all) {
   bool first = true;

@@ -62,7 +62,8 @@ class cell_grid {
   }
 
  private:
-  // The corners from one whose edge leads right back to it, always along the same cells: left where two touch.
+  // The corners from one whose edge leads right back to it, always along the same cells: left where
+  // two touch.
   ring walk(int x, int y, std::vector<bool>& done) const {
     static constexpr std::array<std::array<int, 2>, 4> step = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
     static constexpr std::array<std::array<int, 2>, 4> left = {{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};  // the cell ahead, on the left
@@ -82,7 +83,8 @@ class cell_grid {
     return points;
   }
 
-  // Cuts a ring where it visits a point again; such loops nest, so their points do not come a third time. The ring of the first point comes last.
+  // Cuts a ring where it visits a point again; such loops nest, so their points do not come a third
+  // time. The ring of the first point comes last.
   void split(const ring& points, region& r) const {
     std::map<point, std::size_t> at;  // of the points that cells touch in: where they are in `open`
     ring open;

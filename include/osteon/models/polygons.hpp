@@ -5,10 +5,10 @@
 /// Generated polygons with integer coordinates for tests, measurements and first steps.
 ///
 /// All but those of touching_cells are simple: edges meet only in the vertex between neighbours.
-/// Outer rings run counter-clockwise, holes clockwise; the interior is connected. Equal arguments give
-/// equal polygons (to the last digit where the machine's sine and cosine agree). `n` is the number of
-/// vertices, met exactly unless the function says otherwise; sizes below the stated least one are
-/// taken as that one. Time and space are linear unless stated otherwise.
+/// Outer rings run counter-clockwise, holes clockwise; the interior is connected. Equal arguments
+/// give equal polygons (to the last digit where the machine's sine and cosine agree). `n` is the
+/// number of vertices, met exactly unless the function says otherwise; sizes below the stated least
+/// one are taken as that one. Time and space are linear unless stated otherwise.
 
 #include "osteon/input/exact_number.hpp"
 #include "osteon/input/rings.hpp"

@@ -17,8 +17,8 @@
 
 namespace osteon::models {
 
-/// A kind of models: its name, what `size` means there, the sizes it takes, and the model of a size
-/// and a seed.
+/// A kind of models: its name, what `size` means there, the sizes that it takes and the one that is
+/// taken where none is given, and the model of a size and a seed.
 template <class Model>
 struct kind_of {
   std::string name;

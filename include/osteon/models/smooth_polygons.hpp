@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// Polygons along curves, in general position: no two edges parallel, no simultaneous events, but by bad luck.
+/// Polygons along curves, in general position: no two edges parallel, no simultaneous events, but
+/// by bad luck.
 
 #include <algorithm>
 #include <array>
