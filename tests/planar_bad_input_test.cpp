@@ -113,8 +113,12 @@ TEST(PlanarBadInput, FaultsThatFilesCannotShow) {
   EXPECT_EQ(fault_of(std::string("0 0\n1 \0 0\n", 10), "a.xy"), input_fault::not_polygon);
   EXPECT_EQ(fault_of("\x7F"
                      "ELF\x01\x01",
-                     "a"),
+                     "a.xy"),
             input_fault::bad_number);
+  EXPECT_EQ(fault_of("\x7F"
+                     "ELF\x01\x01",
+                     "a"),
+            input_fault::not_polygon);
   std::ifstream missing(folder / "no_such_file");
   EXPECT_THROW(read_polygon<integer>(missing, "no_such_file"), input_error);
   EXPECT_THROW(read_xy<integer>(missing, "no_such_file"), input_error);
@@ -174,7 +178,7 @@ TEST(PlanarBadInput, UnknownFormatsAreToldWhatIsRead) {
     }
     return "read";
   };
-  for (const std::string text : {"", "# nothing\n", "POINT (0 0)", "\x01"})
+  for (const std::string text : {"", "# nothing\n", "POINT (0 0)", "\x01", "OFF\n8 6 12\n", "solid cube"})
     for (const char* format : {"lines of points", "well-known text", "GeoJSON", "OBJ"})
       EXPECT_NE(message(text, "plan.dat").find(format), std::string::npos) << message(text, "plan.dat");
   EXPECT_EQ(message("", "plan.xy").find("GeoJSON"), std::string::npos) << message("", "plan.xy");

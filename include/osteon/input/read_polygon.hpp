@@ -13,6 +13,7 @@
 #include "osteon/core/error.hpp"
 #include "osteon/input/guess_format.hpp"
 #include "osteon/input/mesh.hpp"
+#include "osteon/input/messages.hpp"
 #include "osteon/input/read_geojson.hpp"
 #include "osteon/input/read_obj.hpp"
 #include "osteon/input/read_wkt.hpp"
@@ -59,10 +60,13 @@ rings<Int> read_flat_obj(std::istream& in, const std::string& name) {
 template <class Int>
 rings<Int> read_polygon(std::istream& in, const std::string& name) {
   rewound text(in, name);
-  const bool known = format_of_name(name).has_value();
+  const bool named = format_of_name(name).has_value();
+  if (const auto rest = skip_blanks_and_comments(text.beginning()); !named && !rest.empty() && !format_of_text(rest))
+    throw input_error(input_fault::not_polygon, 0, name + ": " + quote(rest.substr(0, rest.find_first_of(" \t\r\n"))) + " begins no polygon",
+                      std::string("give ") + polygon_formats);
   switch (guess_format(name, text.beginning())) {
     case format::wkt:
-      return known ? read_wkt<Int>(text.stream(), name) : read_wkt<Int>(text.stream(), name, polygon_formats);
+      return named ? read_wkt<Int>(text.stream(), name) : read_wkt<Int>(text.stream(), name, polygon_formats);
     case format::geojson:
       return read_geojson<Int>(text.stream(), name);
     case format::obj:
@@ -70,7 +74,7 @@ rings<Int> read_polygon(std::istream& in, const std::string& name) {
     case format::xy:
       break;
   }
-  return known ? read_xy<Int>(text.stream(), name) : read_xy<Int>(text.stream(), name, polygon_formats);
+  return named ? read_xy<Int>(text.stream(), name) : read_xy<Int>(text.stream(), name, polygon_formats);
 }
 
 }  // namespace osteon::plane
