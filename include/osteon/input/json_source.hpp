@@ -120,7 +120,7 @@ class json_source {
     source_.get();
     for (;;) {
       const int c = source_.peek();
-      if (c == text_source::end || c < ' ') source_.fail(input_fault::not_polygon, "a string without its closing quote", "give valid JSON");
+      if (c < ' ') source_.fail(input_fault::not_polygon, "a string without its closing quote", "give valid JSON");
       source_.get();
       if (c == '"') return;
       source_.append(text_, c);

@@ -168,8 +168,8 @@ class plane_sweep {
     const int in = previous_[v];
     const bool in_ends = rank_[in] < rank_[v];
     if (in_ends == (rank_[next_[v]] < rank_[v])) return false;
-    const iterator it = where_[in_ends ? in : v];
-    const iterator above = std::next(it);
+    const auto it = where_[in_ends ? in : v];
+    const auto above = std::next(it);
     const bool lowest = it == status_.begin();
     if (!lowest && side(std::prev(it)->edge, v) == sign::zero) return false;
     if (above != status_.end() && side(above->edge, v) == sign::zero) return false;
@@ -200,8 +200,8 @@ class plane_sweep {
       if (rank_[previous_[u]] < rank_[v]) ended = previous_[u];
       if (rank_[next_[u]] < rank_[v]) ended = u;
     }
-    iterator first = ended >= 0 ? where_[ended] : status_.lower_bound(at{v});
-    iterator last = first;
+    auto first = ended >= 0 ? where_[ended] : status_.lower_bound(at{v});
+    auto last = first;
     if (ended >= 0)
       while (first != status_.begin() && side(std::prev(first)->edge, v) == sign::zero) --first;
     while (last != status_.end() && side(last->edge, v) == sign::zero) ++last;
@@ -212,7 +212,7 @@ class plane_sweep {
   int list_arriving(iterator first, iterator last, int rank) {
     int through = -1;
     arriving_.clear();
-    for (iterator it = first; it != last && !bad_; ++it) {
+    for (auto it = first; it != last && !bad_; ++it) {
       arriving_.push_back(it->edge);
       if (rank_[right(it->edge)] == rank) continue;
       if (through >= 0) bad_ = {bad_contact::kind::crossing, through, it->edge};
@@ -248,10 +248,10 @@ class plane_sweep {
         found_.rays.push_back({rank_[edge] == rank ? edge : next_[edge], false, out});
     };
     for (const int e : leaving_) add(e, true);
-    for (auto e = arriving_.rbegin(); e != arriving_.rend(); ++e) add(*e, false);
+    std::reverse(arriving_.begin(), arriving_.end());
+    for (const int e : arriving_) add(e, false);
     open_.clear();
-    for (std::size_t i = found_.first_rays.back(); i < found_.rays.size(); ++i) {
-      const auto& r = found_.rays[i];
+    for (const auto& r : std::span(found_.rays).subspan(found_.first_rays.back())) {
       const std::pair<int, bool> chain = {r.vertex, r.through};
       if (!open_.empty() && open_.back() == chain)
         open_.pop_back();
@@ -286,15 +286,15 @@ class plane_sweep {
 
   // Puts the edges that leave a point in the place of those that arrive there.
   void replace(iterator first, iterator last, int through) {
-    for (iterator it = first; it != last;) it = it->edge == through ? std::next(it) : status_.erase(it);
-    iterator hint = through >= 0 ? where_[through] : last;
+    for (auto it = first; it != last;) it = it->edge == through ? std::next(it) : status_.erase(it);
+    auto hint = through >= 0 ? where_[through] : last;
     for (const int e : leaving_) {
       if (e == through)
         hint = last;
       else
         where_[e] = status_.insert(hint, node{e});
     }
-    const iterator lowest = leaving_.empty() ? last : where_[leaving_.front()];
+    const auto lowest = leaving_.empty() ? last : where_[leaving_.front()];
     if (lowest != status_.begin()) check(std::prev(lowest), lowest);
     if (!leaving_.empty()) check(where_[leaving_.back()], last);
   }

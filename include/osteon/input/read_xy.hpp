@@ -76,7 +76,7 @@ class xy_reader {
   // Returns the number's length.
   std::size_t read_number(line& l) {
     word_.clear();
-    for (int c = source_.peek(); c != text_source::end && c > ' ' && c != '#'; c = source_.peek()) source_.append(word_, source_.get());
+    for (int c = source_.peek(); c > ' ' && c != '#'; c = source_.peek()) source_.append(word_, source_.get());
     if (word_.empty()) source_.fail(input_fault::bad_number, "a character that no text has", source_.hint());
     auto value = source_.template number<Int>(word_);
     if (l.numbers < 3) l.values[l.numbers] = std::move(value);

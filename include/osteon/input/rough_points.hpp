@@ -18,7 +18,7 @@ namespace osteon {
 template <class Int>
 unsigned double_shift(const Int& x) {
   unsigned shift = 0;
-  for (double rest = static_cast<double>(x); std::abs(rest) > 0x1p480; rest = static_cast<double>(Int(x >> shift))) shift += 256;
+  for (auto rest = static_cast<double>(x); std::abs(rest) > 0x1p480; rest = static_cast<double>(Int(x >> shift))) shift += 256;
   return shift;
 }
 

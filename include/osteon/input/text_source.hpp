@@ -28,7 +28,7 @@ inline constexpr std::size_t most_corners = 60'000'000;
 /// out.
 class text_source {
  public:
-  /// The value that stands for the end of the text.
+  /// The value that stands for the end of the text; less than all characters.
   static constexpr int end = -1;
 
   /// `name` of the text and what is `expected` in it are for messages ("give EXPECTED"); a text
