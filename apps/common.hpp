@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "osteon/input/mesh_repair.hpp"
 #include "osteon/input/read_obj.hpp"
 #include "osteon/input/solid.hpp"
 #include "osteon/kernel/double.hpp"
@@ -81,8 +82,8 @@ struct model {
       if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
       return read_obj<integer>(in, file);
     }();
-    if (flip) solid_builder<integer>::flip(m);
-    if (triangulate) solid_builder<integer>::triangulate(m);
+    if (flip) reverse_facets(m);
+    if (triangulate) triangulate_facets(m);
     return make_solid(std::move(m));
   }
 };

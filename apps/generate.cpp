@@ -5,14 +5,15 @@
 
 #include "commands.hpp"
 #include "common.hpp"
-#include "osteon/models/polygons.hpp"
-#include "osteon/models/polyhedra.hpp"
+#include "osteon/input/write_obj.hpp"
+#include "osteon/input/write_xy.hpp"
+#include "osteon/models/registry.hpp"
 
 namespace osteon::app {
 namespace {
 
 struct generate_command {
-  std::string kind;
+  std::string name;
   std::string output;
   std::optional<int> size;
   std::uint64_t seed = 1;
@@ -28,7 +29,7 @@ struct generate_command {
     for (const auto& k : models::kinds()) add(k);
     list += "Polygons:\n";
     for (const auto& k : plane::models::kinds()) add(k);
-    c->add_option("KIND", kind, "what to make")->required()->check(CLI::IsMember(known));
+    c->add_option("KIND", name, "what to make")->required()->check(CLI::IsMember(known));
     c->add_option("--size", size, "see below")->check(CLI::PositiveNumber);
     c->add_option("--seed", seed, "for the random ones")->capture_default_str();
     c->add_option("-o,--output", output, "the file; standard output where it is missing");
@@ -37,44 +38,24 @@ struct generate_command {
   }
 
   void run() const {
-    const std::string text = polyhedron().value_or(polygon().value_or(""));
-    if (output.empty())
-      fmt::print("{}", text);
-    else
-      write_file(output, text);
+    if (const auto* polyhedron = models::find_kind(models::kinds(), name))
+      write(*polyhedron, [](std::ostream& out, const models::builder& model) { write_obj(out, model.take<integer>()); });
+    else if (const auto* polygon = models::find_kind(plane::models::kinds(), name))
+      write(*polygon, [](std::ostream& out, const plane::models::region& model) { plane::write_xy(out, model); });
   }
 
-  // The kind's entry in a table and the size wanted, if the table has it.
-  template <class Kinds>
-  auto find(const Kinds& all, int greatest) const -> std::optional<std::pair<typename Kinds::value_type, int>> {
-    const auto k = std::find_if(all.begin(), all.end(), [this](const auto& x) { return x.name == kind; });
-    if (k == all.end()) return std::nullopt;
-    if constexpr (requires { k->greatest_size; }) greatest = k->greatest_size;
-    const int n = size.value_or(k->default_size);
-    if (n < k->least_size || n > greatest)
-      throw CLI::ValidationError("--size", fmt::format("{} needs a size between {} and {}", kind, k->least_size, greatest));
-    return std::pair(*k, n);
-  }
-  std::string heading(int n) const { return fmt::format("# osteon generate {} --size {} --seed {}\n", kind, n, seed); }
-
-  std::optional<std::string> polygon() const {
-    const auto k = find(plane::models::kinds(), 0);
-    if (!k) return std::nullopt;
-    return heading(k->second) + plane::models::to_xy(k->first.make(k->second, seed));
-  }
-
-  std::optional<std::string> polyhedron() const {
-    const auto k = find(models::kinds(), 1000);
-    if (!k) return std::nullopt;
-    std::string text = heading(k->second);
-    const auto m = k->first.make(k->second, seed).template take<integer>();
-    for (const auto& p : m.points) text += fmt::format("v {} {} {}\n", p[0].mantissa.str(), p[1].mantissa.str(), p[2].mantissa.str());
-    for (const auto& f : m.facets) {
-      text += "f";
-      for (const int corner : f) text += fmt::format(" {}", corner + 1);
-      text += "\n";
-    }
-    return text;
+  // Makes a model of a kind and writes it behind a line that tells how it was made.
+  template <class Kind, class Writer>
+  void write(const Kind& kind, Writer writer) const {
+    const int n = size.value_or(kind.default_size);
+    if (n < kind.least_size || n > kind.greatest_size)
+      throw CLI::ValidationError("--size", fmt::format("{} needs a size between {} and {}", name, kind.least_size, kind.greatest_size));
+    const auto model = kind.make(n, seed);
+    const auto print = [&](std::ostream& out) {
+      out << fmt::format("# osteon generate {} --size {} --seed {}\n", name, n, seed);
+      writer(out, model);
+    };
+    output.empty() ? print(std::cout) : write_file(output, print);
   }
 };
 

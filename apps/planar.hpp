@@ -23,6 +23,7 @@
 #include "osteon/evaluate/vertex_enclosures.hpp"
 #include "osteon/input/make_polygon.hpp"
 #include "osteon/input/read_polygon.hpp"
+#include "osteon/input/rewound.hpp"
 #include "osteon/kernel/double.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/perturbed.hpp"
@@ -50,12 +51,9 @@ inline bool has_one_face(std::istream& in) {
 /// it has a single face. Standard input can be read from its beginning afterwards.
 inline bool is_polygon_file(const std::string& file) {
   if (file == "-") {
-    std::string head(1U << 16U, '\0');
-    std::cin.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(std::cin.gcount()));
-    const bool polygon = plane::guess_format("", head) != plane::format::obj;
-    static plane::detail::rewound whole(std::move(head), std::cin.rdbuf());
-    std::cin.rdbuf(&whole);  // clears the end of the file, too
+    static rewound whole(std::cin, "standard input");
+    const bool polygon = plane::guess_format("", whole.beginning()) != plane::format::obj;
+    std::cin.rdbuf(whole.stream().rdbuf());
     return polygon;
   }
   std::string extension = std::filesystem::path(file).extension().string();

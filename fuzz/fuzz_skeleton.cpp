@@ -15,6 +15,7 @@
 
 #include "check.hpp"
 #include "decode.hpp"
+#include "osteon/input/mesh_repair.hpp"
 #include "osteon/core/error.hpp"
 #include "osteon/evaluate/volume.hpp"
 #include "osteon/input/solid.hpp"
@@ -171,7 +172,7 @@ void run(decoder d) {
   decoded shape = decode_shape(d, most_facets);
   if (!shape.valid && (plan & 128U) == 0) {  // nearly always only because facets are bent
     try {
-      solid_builder<integer>::triangulate(shape.mesh);
+      triangulate_facets(shape.mesh);
     } catch (const input_error&) {
     }
   }

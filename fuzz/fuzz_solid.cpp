@@ -11,6 +11,7 @@
 
 #include "check.hpp"
 #include "decode.hpp"
+#include "osteon/input/mesh_repair.hpp"
 #include "osteon/core/error.hpp"
 #include "osteon/input/solid.hpp"
 #include "shapes.hpp"
@@ -116,7 +117,7 @@ void run(decoder d) {
   if (weighted) weigh(m, d);
   if (triangulated) {
     try {
-      solid_builder<integer>::triangulate(m);
+      triangulate_facets(m);
     } catch (const input_error&) {
       tally::add("refused by triangulate");
       return;
@@ -132,7 +133,7 @@ void run(decoder d) {
     check.run();
     check.check_against(m);
     auto inverted = m;
-    solid_builder<integer>::flip(inverted);
+    reverse_facets(inverted);
     try {
       make_solid(inverted);
       broken("a solid turned inside out is refused");

@@ -16,11 +16,12 @@
 #include <vector>
 
 #include "decode.hpp"
+#include "osteon/input/mesh_repair.hpp"
 #include "osteon/input/geometry.hpp"
 #include "osteon/input/mesh.hpp"
 #include "osteon/input/solid.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/models/polyhedra.hpp"
+#include "osteon/models/registry.hpp"
 
 namespace osteon::fuzz {
 
@@ -272,7 +273,7 @@ inline void transform(shape& m, decoder& d) {
     const vec<integer> x = {p[0].mantissa, p[1].mantissa, p[2].mantissa};
     for (std::size_t axis = 0; axis < 3; ++axis) p[axis].mantissa = dot(rows[axis], x);
   }
-  if (det < 0) solid_builder<integer>::flip(m);
+  if (det < 0) reverse_facets(m);
 }
 
 /// Cuts an edge in its middle and the triangles beside it.
@@ -346,7 +347,7 @@ inline void add_body(shape& m, decoder& d) {
     a[axis] -= d.between(1, 9);
     b[axis] += d.between(1, 9);
   }
-  solid_builder<integer>::flip(m);
+  reverse_facets(m);
   shape box = models::box(1, 1, 1).take<integer>();
   for (auto& p : box.points)
     for (std::size_t axis = 0; axis < 3; ++axis) p[axis].mantissa = p[axis].mantissa == 0 ? a[axis] : b[axis];

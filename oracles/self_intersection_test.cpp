@@ -15,6 +15,7 @@
 
 #include "cgal_mesh.hpp"
 #include "effort.hpp"
+#include "osteon/models/registry.hpp"
 #include "test_solids.hpp"
 
 namespace osteon::oracles {

@@ -22,7 +22,7 @@
 #include "osteon/input/mesh.hpp"
 #include "osteon/input/solid.hpp"
 #include "osteon/kernel/integer.hpp"
-#include "osteon/models/polyhedra.hpp"
+#include "osteon/models/registry.hpp"
 #include "polytope.hpp"
 #include "run.hpp"
 

@@ -10,7 +10,8 @@
 #include <ctime>
 #include <iostream>
 
-#include "osteon/models/polyhedra.hpp"
+#include "osteon/input/mesh_repair.hpp"
+#include "osteon/models/registry.hpp"
 #include "osteon/space/contract.hpp"
 #include "support.hpp"
 
@@ -37,7 +38,7 @@ input_mesh<integer> turned(const input_mesh<integer>& m, double a, double b, int
       result.facets.push_back(f);
     }
   }
-  solid_builder<integer>::triangulate(result);
+  triangulate_facets(result);
   return result;
 }
 

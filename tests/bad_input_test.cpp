@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 
+#include "osteon/input/open.hpp"
 #include "osteon/input/read_obj.hpp"
 #include "osteon/input/solid.hpp"
 #include "osteon/kernel/integer.hpp"
@@ -105,6 +106,38 @@ TEST(BadInput, FaultsThatFilesCannotShow) {
   EXPECT_EQ(fault_of(joined), input_fault::absurd_size);
   std::ifstream missing(folder / "no_such_file");
   EXPECT_THROW(read_obj<integer>(missing, "no_such_file"), input_error);
+  std::ifstream directory(folder);
+  EXPECT_THROW(read_obj<integer>(directory, "a folder"), input_error);
+}
+
+TEST(BadInput, FilesThatCannotBeOpened) {
+  const auto message = [](const std::filesystem::path& file) -> std::string {
+    try {
+      open_file(file.string());
+    } catch (const input_error& e) {
+      EXPECT_EQ(e.fault, input_fault::unreadable);
+      return e.what();
+    }
+    return "opened";
+  };
+  EXPECT_EQ(message(folder / "no_such_file"), (folder / "no_such_file").string() + ": cannot be opened: there is no such file; hint: check the name");
+  EXPECT_EQ(message(folder), folder.string() + ": cannot be opened: it is a folder; hint: name a file in it");
+  EXPECT_NE(message("").find("cannot be opened"), std::string::npos);
+  EXPECT_NE(message("-").find("no such file"), std::string::npos) << "only a program knows that this is standard input";
+  EXPECT_EQ(message(folder / "off.obj"), "opened");
+}
+
+TEST(BadInput, AnEmptyFileIsNotOneWithoutStatements) {
+  const auto message = [](const std::string& text) -> std::string {
+    try {
+      read(text);
+    } catch (const input_error& e) {
+      return e.what();
+    }
+    return "read";
+  };
+  EXPECT_NE(message("").find("the file is empty"), std::string::npos);
+  EXPECT_NE(message("# a comment").find("neither points nor facets"), std::string::npos);
 }
 
 TEST(BadInput, MessagesCarryNothingThatATerminalObeys) {
@@ -137,6 +170,19 @@ TEST(BadInput, MemoryForFineDigitsIsLimited) {
   m.points[1][0] = {1, 0, 0};
   m.points[0][0].ten = 2'000'000'000;
   EXPECT_THROW(make_solid(m), input_error);
+}
+
+// The same limit as that of polygons (planar_bad_input_test).
+TEST(BadInput, ScaleIsLimitedToAHundredThousandBits) {
+  const auto tetrahedron = [](const exact_number<integer>& height) {
+    auto m = make_input_mesh<integer>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
+    m.points[3][2] = height;
+    return m;
+  };
+  EXPECT_EQ(make_solid(tetrahedron({1, -30'000, 0})).ten, -30'000);
+  EXPECT_EQ(make_solid(tetrahedron({1, 0, -100'000})).two, -100'000);
+  EXPECT_THROW(make_solid(tetrahedron({1, -30'031, 0})), input_error);
+  EXPECT_THROW(make_solid(tetrahedron({1, 0, -100'001})), input_error);
 }
 
 TEST(BadInput, LargestIndexDoesNotOverflow) {

@@ -113,8 +113,12 @@ TEST(PlanarBadInput, FaultsThatFilesCannotShow) {
   EXPECT_EQ(fault_of(std::string("0 0\n1 \0 0\n", 10), "a.xy"), input_fault::not_polygon);
   EXPECT_EQ(fault_of("\x7F"
                      "ELF\x01\x01",
-                     "a"),
+                     "a.xy"),
             input_fault::bad_number);
+  EXPECT_EQ(fault_of("\x7F"
+                     "ELF\x01\x01",
+                     "a"),
+            input_fault::not_polygon);
   std::ifstream missing(folder / "no_such_file");
   EXPECT_THROW(read_polygon<integer>(missing, "no_such_file"), input_error);
   EXPECT_THROW(read_xy<integer>(missing, "no_such_file"), input_error);
@@ -144,6 +148,40 @@ TEST(PlanarBadInput, MemoryForFineDigitsIsLimited) {
   r.all[0].points[1][0] = {1, 0, 0};
   r.all[0].weights[1].two = -2'000'000'000;
   EXPECT_THROW(make_polygon(r), input_error);
+}
+
+// The same limit as that of solids (bad_input_test).
+TEST(PlanarBadInput, ScaleIsLimitedToAHundredThousandBits) {
+  const auto triangle = [](const exact_number<integer>& height) {
+    auto r = make_rings<integer>({{{0, 0}, {1, 0}, {0, 1}}}, {{1, 1, 1}});
+    r.all[0].points[2][1] = height;
+    return r;
+  };
+  EXPECT_EQ(make_polygon(triangle({1, -30'000, 0})).ten, -30'000);
+  EXPECT_EQ(make_polygon(triangle({1, 0, -100'000})).two, -100'000);
+  EXPECT_THROW(make_polygon(triangle({1, -30'031, 0})), input_error);
+  EXPECT_THROW(make_polygon(triangle({1, 0, -100'001})), input_error);
+  auto r = triangle({1, 0, 0});
+  r.all[0].weights[1] = {1, 0, -100'000};
+  EXPECT_EQ(make_polygon(r).weight_two, -100'000);
+  r.all[0].weights[1] = {1, 0, -100'001};
+  EXPECT_THROW(make_polygon(r), input_error);
+}
+
+// A text whose format nothing tells gets a message that names all of them.
+TEST(PlanarBadInput, UnknownFormatsAreToldWhatIsRead) {
+  const auto message = [](const std::string& text, const std::string& name) -> std::string {
+    try {
+      read(text, name);
+    } catch (const input_error& e) {
+      return e.what();
+    }
+    return "read";
+  };
+  for (const std::string text : {"", "# nothing\n", "POINT (0 0)", "\x01", "OFF\n8 6 12\n", "solid cube"})
+    for (const char* format : {"lines of points", "well-known text", "GeoJSON", "OBJ"})
+      EXPECT_NE(message(text, "plan.dat").find(format), std::string::npos) << message(text, "plan.dat");
+  EXPECT_EQ(message("", "plan.xy").find("GeoJSON"), std::string::npos) << message("", "plan.xy");
 }
 
 TEST(PlanarBadInput, RingsFromMemory) {

@@ -13,6 +13,8 @@
 
 #include "osteon/input/make_polygon.hpp"
 #include "osteon/input/read_polygon.hpp"
+#include "osteon/input/rewound.hpp"
+#include "osteon/input/write_xy.hpp"
 #include "osteon/kernel/integer.hpp"
 #include "osteon/models/polyhedra.hpp"
 
@@ -703,6 +705,73 @@ TEST(PlanarInput, FlatObj) {
     EXPECT_EQ(p.points.size(), 3U);
     EXPECT_EQ(p.repairs, std::vector<std::string>{"1 clockwise outer ring was reversed, the first: ring 1"});
   }
+}
+
+TEST(PlanarInput, FormatsAreTold) {
+  for (const auto& [name, format] : std::map<std::string, format>{{"a.xy", format::xy},
+                                                                  {"b.txt", format::xy},
+                                                                  {"c.WKT", format::wkt},
+                                                                  {"d.json", format::geojson},
+                                                                  {"e.GeoJSON", format::geojson},
+                                                                  {"f.obj", format::obj}})
+    EXPECT_EQ(format_of_name(name), format) << name;
+  for (const char* name : {"", "xy", "a.xyz", "a.wkt.bak", "obj"}) EXPECT_FALSE(format_of_name(name)) << name;
+  const std::map<std::string, format> told = {
+      {"0 0", format::xy},
+      {"\n# x\n -1.5 2", format::xy},
+      {"+.5 2", format::xy},
+      {"{\"type\"", format::geojson},
+      {"\xEF\xBB\xBF \n[", format::geojson},
+      {"polygon((0 0", format::wkt},
+      {"MultiPolygonZ (", format::wkt},
+      {"# x\nSRID=4326;POLYGON", format::wkt},
+      {"LINESTRING (", format::wkt},
+      {"# box\r\nv 0 0 0", format::obj},
+      {"mtllib a.mtl", format::obj},
+      {"f\t1 2 3", format::obj},
+      {"l 1 2", format::obj},
+  };
+  for (const auto& [text, format] : told) EXPECT_EQ(format_of_text(text), format) << text;
+  for (const char* text : {"", "# only a comment", "OFF\n8 6 12", "solid cube", "<html>", "POLYGONE", "POLYGONXZ (", "---"}) {
+    EXPECT_FALSE(format_of_text(text)) << text;
+    EXPECT_EQ(guess_format("a.wkt", text), format::wkt) << text;
+    EXPECT_EQ(guess_format("nameless", text), format::xy) << text;
+  }
+}
+
+TEST(PlanarInput, ABeginningCanBeReadAgain) {
+  std::string text;
+  for (int i = 0; i < 40'000; ++i) text += std::to_string(i) + '\n';  // several times what is looked at
+  for (const std::string& all : {text, std::string("short"), std::string()}) {
+    std::istringstream in(all);
+    rewound again(in, "text");
+    EXPECT_EQ(again.beginning(), all.substr(0, 1U << 16U));
+    std::ostringstream copy;
+    copy << again.stream().rdbuf();
+    EXPECT_EQ(copy.str(), all);
+  }
+}
+
+TEST(PlanarInput, RingsAreWrittenAsTheyAreRead) {
+  const std::string text = "0 0\n15e-1 0\n15e-1 2\n0 2\n\n5e-1 5e-1 1\n5e-1 1 25e-2\n1 1 0\n";
+  std::istringstream in(text);
+  const auto r = read_xy<integer>(in, "a.xy");
+  std::ostringstream out;
+  write_xy(out, r);
+  EXPECT_EQ(out.str(), text);
+  std::ostringstream doubles;
+  write_xy(doubles, std::vector<std::vector<std::array<double, 2>>>{{{0.1, -2}, {1e300, 0x1p-40}}, {{1, 2}}});
+  EXPECT_EQ(doubles.str(), "0.1 -2\n1e+300 9.094947017729282e-13\n\n1 2\n");
+}
+
+TEST(PlanarInput, EdgesKnowTheWayBack) {
+  const auto p = read("0 0\n0 10\n0 10\n10 10\n10 5\n10 0\n");
+  EXPECT_EQ(p.input_points, (std::vector<int>{0, 1, 3, 5}));
+  EXPECT_EQ(p.boundary.next, (std::vector<int>{3, 0, 1, 2}));
+  EXPECT_EQ(p.input_edges, (std::vector<int>{5, 0, 2, 3})) << "from 0 along edge 5, from 1 back along edge 0, and so on";
+  std::istringstream in("0 0\n0 10\n0 10\n10 10\n10 5\n10 0\n");
+  const auto outside = make_polygon(read_polygon<integer>(in, "a.xy"), true);
+  EXPECT_EQ(outside.input_edges, (std::vector<int>{0, 2, 3, 5}));
 }
 
 TEST(PlanarInput, IslandsInHoles) {

@@ -2,17 +2,20 @@
 
 // The generated polygons are what they promise, and so is the supply of samples for other tests.
 
-#include "osteon/models/polygons.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "osteon/input/solid.hpp"
+#include "osteon/input/write_xy.hpp"
+#include "osteon/models/polygons.hpp"
+#include "osteon/models/registry.hpp"
 #include "planar_polygons.hpp"
 
 namespace osteon::test {
@@ -207,13 +210,36 @@ TEST(PlanarModel, HilbertPointsFillTheSquare) {
 
 TEST(PlanarModel, IsTakenAndWritten) {
   const region r = models::grid_of_holes(1);
-  EXPECT_EQ(models::to_xy(r), "0 0\n3 0\n3 3\n0 3\n\n1 1\n1 2\n2 2\n2 1\n");
+  std::ostringstream text;
+  plane::write_xy(text, r);
+  EXPECT_EQ(text.str(), "0 0\n3 0\n3 3\n0 3\n\n1 1\n1 2\n2 2\n2 1\n");
   const auto rings = models::take<integer>(r);
   ASSERT_EQ(rings.all.size(), 2U);
   ASSERT_EQ(rings.all[1].points.size(), 4U);
   EXPECT_EQ(rings.all[1].points[1][1].mantissa, 2);
   EXPECT_EQ(rings.all[1].points[1][1].ten, 0);
   EXPECT_TRUE(rings.all[0].weights.empty());
+}
+
+// ---- the registry
+
+TEST(Registry, NamesAreDifferent) {
+  std::set<std::string> names;
+  for (const auto& k : osteon::models::kinds()) EXPECT_TRUE(names.insert(k.name).second) << k.name;
+  for (const auto& k : models::kinds()) EXPECT_TRUE(names.insert(k.name).second) << k.name;
+  for (const auto& k : osteon::models::kinds()) EXPECT_EQ(osteon::models::find_kind(osteon::models::kinds(), k.name), &k);
+  EXPECT_EQ(osteon::models::find_kind(models::kinds(), "cube"), nullptr);
+  EXPECT_EQ(osteon::models::find_kind(osteon::models::kinds(), "comb"), nullptr);
+}
+
+TEST(Registry, PolyhedraAreSolidsFromTheLeastSizeOn) {
+  for (const auto& k : osteon::models::kinds()) {
+    EXPECT_LE(k.least_size, k.default_size) << k.name;
+    EXPECT_LE(k.default_size, k.greatest_size) << k.name;
+    EXPECT_FALSE(k.size.empty()) << k.name;
+    for (const int size : {k.least_size, k.least_size + 1, k.default_size})
+      EXPECT_NO_THROW(make_solid(k.make(size, 3).take<integer>())) << k.name << " of size " << size;
+  }
 }
 
 // ---- the samples of other tests

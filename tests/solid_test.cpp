@@ -11,7 +11,9 @@
 #include <sstream>
 #include <string>
 
+#include "osteon/input/mesh_repair.hpp"
 #include "osteon/input/read_obj.hpp"
+#include "osteon/input/write_obj.hpp"
 #include "osteon/kernel/integer.hpp"
 
 namespace osteon {
@@ -242,11 +244,11 @@ TEST(Solid, MajorityCornerIsARingOfSixFacets) {
 
 TEST(Solid, FlipAndTriangulate) {
   auto m = cube().to_mesh();
-  solid_builder<integer>::flip(m);
+  reverse_facets(m);
   EXPECT_EQ(fault_of(m), input_fault::inverted);
-  solid_builder<integer>::flip(m);
+  reverse_facets(m);
   EXPECT_NO_THROW(make_solid(m));
-  solid_builder<integer>::triangulate(m);
+  triangulate_facets(m);
   EXPECT_EQ(m.facets.size(), 6U) << "planar facets stay whole";
 
   auto bent = cube();
@@ -254,7 +256,7 @@ TEST(Solid, FlipAndTriangulate) {
   m = bent.to_mesh();
   m.weights = {1, 2, 3, 4, 5, 6};
   EXPECT_EQ(fault_of(m), input_fault::not_planar);
-  solid_builder<integer>::triangulate(m);
+  triangulate_facets(m);
   EXPECT_EQ(m.facets.size(), 9U);
   EXPECT_EQ(m.weights, (std::vector<integer>{1, 2, 2, 3, 4, 4, 5, 5, 6}));
   expect_counts(make_solid(m), 8, 15, 9, 9);
@@ -269,7 +271,7 @@ TEST(Solid, TriangulatesFacetsThatAreNotConvex) {
   for (std::size_t i = 20; i < 40; ++i) m.p[i][2] += 0.001 * static_cast<double>(i * i % 7);
   auto exact = m.to_mesh();
   EXPECT_EQ(fault_of(exact), input_fault::not_planar);
-  solid_builder<integer>::triangulate(exact);
+  triangulate_facets(exact);
   const auto s = make_solid(exact);
   EXPECT_EQ(s.boundary.vertices.size(), 40U);
 }
@@ -308,6 +310,18 @@ TEST(Solid, ScaleDoesNotMatter) {
     EXPECT_EQ(s.planes, reference.planes);
     EXPECT_EQ(std::to_string(s.ten), std::string(scale + 1));
   }
+}
+
+TEST(Solid, IsWrittenAsItIsRead) {
+  const std::string text = "v 0 0 0\nv 15e-1 0 0\nv 0 1 0\nv 0 0 3e2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  std::istringstream in(text);
+  const auto m = read_obj<integer>(in, "text");
+  std::ostringstream out;
+  write_obj(out, m);
+  EXPECT_EQ(out.str(), text);
+  std::ostringstream doubles;
+  write_obj(doubles, points{{0.1, -2, 1e300}}, facets{{0, 2, 1}});
+  EXPECT_EQ(doubles.str(), "v 0.1 -2 1e+300\nf 1 3 2\n");
 }
 
 // Coordinates mean (coordinate + shift) * 10^ten * 2^two.
@@ -374,7 +388,7 @@ TEST(Solid, LargeMeshesAreQuick) {
   for (auto& p : vast.points)
     for (auto& x : p) x.two += 2000;
   vast.points[0][2] = {-1, 0, -1000};
-  solid_builder<integer>::triangulate(vast);
+  triangulate_facets(vast);
   EXPECT_GT(make_solid(vast).points.size(), 6000U);
   model many;
   for (int i = 0; i < 1500; ++i) many.add(box({2.0 * i, 0, 0}, {2.0 * i + 1, 1, 1}));

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "corners.hpp"
-#include "osteon/models/polyhedra.hpp"
+#include "osteon/models/registry.hpp"
 #include "osteon/space/preferred_split.hpp"
 #include "osteon/space/verify.hpp"
 #include "support.hpp"

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 
+#include "osteon/input/mesh_repair.hpp"
 #include "osteon/input/read_obj.hpp"
 #include "osteon/input/solid.hpp"
 #include "osteon/kernel/filtered.hpp"
@@ -24,7 +25,7 @@ namespace osteon::test {
 
 inline solid<integer> read_solid(std::istream& in, const std::string& name, bool triangulate = false) {
   auto m = read_obj<integer>(in, name);
-  if (triangulate) solid_builder<integer>::triangulate(m);
+  if (triangulate) triangulate_facets(m);
   return make_solid(std::move(m));
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "osteon/input/mesh_repair.hpp"
 #include "support.hpp"
 
 namespace osteon::test {
@@ -193,7 +194,7 @@ TEST(Thesis, ModelsOfEvents) {
     std::optional<solid<integer>> s;
     for (const auto& repair : std::array<std::function<input_mesh<integer>(input_mesh<integer>)>, 3>{[](auto x) { return x; }, straightened,
                                                                                                      [](auto x) {
-                                                                                                       solid_builder<integer>::triangulate(x);
+                                                                                                       triangulate_facets(x);
                                                                                                        return x;
                                                                                                      }}) {
       try {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "osteon/models/polyhedra.hpp"
+#include "osteon/models/registry.hpp"
 #include "support.hpp"
 
 namespace osteon::test {

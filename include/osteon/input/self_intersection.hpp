@@ -2,112 +2,66 @@
 #pragma once
 
 /// \file
-/// Finds where a closed surface meets itself although it should not, exactly.
+/// Finds where a closed surface meets itself although it must not, exactly.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <map>
-#include <numeric>
+#include <cstddef>
 #include <optional>
-#include <span>
+#include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
+#include "osteon/core/error.hpp"
+#include "osteon/input/facet_chords.hpp"
+#include "osteon/input/facet_loops.hpp"
 #include "osteon/input/geometry.hpp"
+#include "osteon/input/projected_facet.hpp"
+#include "osteon/input/rough_points.hpp"
+#include "osteon/input/surface.hpp"
 
 namespace osteon {
 
-/// A closed surface of planar facets: what the check looks at. Facet f lies in the plane normals[f] . x = offsets[f], its normal
-/// has the direction of its area vector. Every edge belongs to two facets, once in each direction.
-template <class Int>
-struct surface_view {
-  std::span<const vec<Int>> points;
-  std::span<const std::vector<int>> facets;
-  std::span<const vec<Int>> normals;
-  std::span<const Int> offsets;
-};
-
-/// Where a surface meets itself.
-struct bad_contact {
-  enum class kind : std::uint8_t {
-    edge,    ///< edge (a,b) meets the facet outside their common corners and edges
-    corner,  ///< the facet's loop passes the point a more than once, and its inside overlaps or turns over there
-    chord    ///< the facet and facet `other` pass through each other between their common corners a and b
-  };
-  kind what;
-  int facet;
-  int a;
-  int b = -1;
-  int other = -1;
-};
-
 namespace detail {
 
-/// A right shift after which doubles can hold x, and products of two such.
+/// The search for edges that meet facets. Boxes are swept along one axis; doubles decide only what
+/// they are certain of.
 template <class Int>
-unsigned double_shift(const Int& x) {
-  unsigned shift = 0;
-  while (std::abs(static_cast<double>(Int(x >> shift))) > 0x1p480) shift += 256;
-  return shift;
-}
-
-/// Points as doubles times 2^-shift, by a monotone function.
-template <class Int>
-std::vector<std::array<double, 3>> approximate(std::span<const vec<Int>> points, unsigned& shift) {
-  shift = 0;
-  std::vector<std::array<double, 3>> result;
-  for (const auto& p : points)
-    for (const Int& x : p) shift = std::max(shift, double_shift(x));
-  for (const auto& p : points) {
-    auto& q = result.emplace_back();
-    for (std::size_t axis = 0; axis < 3; ++axis) q[axis] = static_cast<double>(Int(p[axis] >> shift));
-  }
-  return result;
-}
-
-struct box {
-  std::array<double, 3> lo, hi;
-
-  box(std::span<const std::array<double, 3>> points, std::span<const int> ids) : lo(points[ids[0]]), hi(lo) {
-    for (const int p : ids)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        lo[axis] = std::min(lo[axis], points[p][axis]);
-        hi[axis] = std::max(hi[axis], points[p][axis]);
-      }
-  }
-  bool overlaps(const box& o) const {
-    return lo[0] <= o.hi[0] && o.lo[0] <= hi[0] && lo[1] <= o.hi[1] && o.lo[1] <= hi[1] && lo[2] <= o.hi[2] && o.lo[2] <= hi[2];
-  }
-};
-
-/// See find_self_intersection.
-template <class Int>
-class intersection_search {
+class edge_facet_search {
  public:
-  explicit intersection_search(const surface_view<Int>& s) : s_(s), points_(approximate(s.points, shift_)) {}
+  /// *Requires* a surface with planes, each facet of which is the boundary of one region.
+  explicit edge_facet_search(const surface<Int>& s) : s_(s) {
+    make_edges();
+    make_boxes();
+    make_items();
+  }
 
-  std::optional<bad_contact> run() {
-    for (int f = 0; f < static_cast<int>(s_.facets.size()); ++f) {
-      if (s_.facets[f].size() == 3) continue;
-      check_loop(f);
-      if (!found_) check_corners(f);
-      if (found_) return found_;
+  /// Returns an edge that meets a facet outside of their common corners and edges, or nothing.
+  std::optional<bad_contact> run() const {
+    // Of a pair that overlaps along the axis, one starts within the other.
+    auto first_edge = edge_items_.begin();
+    for (const facet_item& f : facet_items_) {
+      while (first_edge != edge_items_.end() && first_edge->b.lo[axis_] < f.b.lo[axis_]) ++first_edge;
+      for (auto e = first_edge; e != edge_items_.end() && e->b.lo[axis_] <= f.b.hi[axis_]; ++e)
+        if (meets(*e, f)) return contact(*e, f);
     }
-    sweep();
-    if (!found_) check_chords();
-    return found_;
+    auto first_facet = facet_items_.begin();
+    for (const edge_item& e : edge_items_) {
+      while (first_facet != facet_items_.end() && first_facet->b.lo[axis_] <= e.b.lo[axis_]) ++first_facet;
+      for (auto f = first_facet; f != facet_items_.end() && f->b.lo[axis_] <= e.b.hi[axis_]; ++f)
+        if (meets(e, *f)) return contact(e, *f);
+    }
+    return std::nullopt;
   }
 
  private:
-  using kind = bad_contact::kind;
   struct edge {
     int a, b;
     std::array<int, 2> facets;
   };
-  // A facet's plane in doubles: the side of a point farther away than `error` is certain, else zero.
+  // A facet's plane in doubles: the side of a point farther away than `error` is certain, else
+  // zero.
   struct rough_plane {
     std::array<double, 3> n;
     double d;
@@ -118,132 +72,21 @@ class intersection_search {
       return h > error ? sign::positive : (h < -error ? sign::negative : sign::zero);
     }
   };
+  // All that most pairs need, in the order of the sweep.
+  struct edge_item {
+    box3 b;
+    std::array<std::array<double, 3>, 2> ends;
+    int id;
+  };
+  struct facet_item {
+    box3 b;
+    rough_plane plane;
+    std::array<int, 3> corners;  // the first ones
+    int id;
+  };
 
-  point2<Int> at(int p, const std::array<int, 2>& axes) const { return {s_.points[p][axes[0]], s_.points[p][axes[1]], Int(1)}; }
-  point2<Int> middle(int a, int b, const std::array<int, 2>& axes) const {
-    return {s_.points[a][axes[0]] + s_.points[b][axes[0]], s_.points[a][axes[1]] + s_.points[b][axes[1]], Int(2)};
-  }
-  location where(const point2<Int>& p, int f, const std::array<int, 2>& axes) const {
-    return locate_in_polygon<Int>(s_.points, s_.facets[f], p, axes);
-  }
-  bool is_corner(int p, int f) const {
-    const auto& loop = s_.facets[f];
-    return std::find(loop.begin(), loop.end(), p) != loop.end();
-  }
-
-  // Whether two edges in one plane meet although they should not: anywhere but in a common end.
-  bool edges_meet(int a, int b, int p, int q, const std::array<int, 2>& axes) const {
-    if ((a == p && b == q) || (a == q && b == p)) return false;
-    for (const int axis : axes)
-      if (std::max(points_[a][axis], points_[b][axis]) < std::min(points_[p][axis], points_[q][axis]) ||
-          std::max(points_[p][axis], points_[q][axis]) < std::min(points_[a][axis], points_[b][axis]))
-        return false;
-    const auto on = [&](int u, int v, int w) {  // w on the closed segment uv
-      const std::array<int, 2> two = {u, v};
-      return locate_in_polygon<Int>(s_.points, two, at(w, axes), axes) == location::border;
-    };
-    if (a == p || a == q) return on(a, b, a == p ? q : p) || on(p, q, b);
-    if (b == p || b == q) return on(a, b, b == p ? q : p) || on(p, q, a);
-    const auto side = [&](int u, int v, int w) { return turn(s_.points[u], s_.points[v], at(w, axes), axes); };
-    const sign across = side(a, b, p) * side(a, b, q);
-    if (across == sign::positive) return false;
-    if (across == sign::negative && side(p, q, a) * side(p, q, b) == sign::negative) return true;
-    return on(a, b, p) || on(a, b, q) || on(p, q, a) || on(p, q, b);
-  }
-
-  // The loop of one facet, swept along the longer of its axes.
-  void check_loop(int f) {
-    const auto& loop = s_.facets[f];
-    const auto axes = projection(s_.normals[f]);
-    const box all(points_, loop);
-    const int along = all.hi[axes[0]] - all.lo[axes[0]] >= all.hi[axes[1]] - all.lo[axes[1]] ? axes[0] : axes[1];
-    struct stretch {
-      double lo, hi;
-      int a, b;
-    };
-    std::vector<stretch> sides;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const int a = loop[i];
-      const int b = loop[(i + 1) % loop.size()];
-      sides.push_back({std::min(points_[a][along], points_[b][along]), std::max(points_[a][along], points_[b][along]), a, b});
-    }
-    std::sort(sides.begin(), sides.end(), [](const stretch& x, const stretch& y) { return std::tie(x.lo, x.a, x.b) < std::tie(y.lo, y.a, y.b); });
-    for (auto x = sides.begin(); x != sides.end(); ++x)
-      for (auto y = x + 1; y != sides.end() && y->lo <= x->hi; ++y)
-        if (edges_meet(x->a, x->b, y->a, y->b, axes)) {
-          found_ = bad_contact{kind::edge, f, x->a, x->b};
-          return;
-        }
-  }
-
-  // At a point that the loop passes more than once, nothing may lie between the edge it leaves by and, counter-clockwise, the
-  // one it arrived by: then the inside's sectors are disjoint there. Together with the absence of crossings this makes the loop
-  // the oriented boundary of one region; slits (edges run along in both directions) lie inside.
-  void check_corners(int f) {
-    const auto& loop = s_.facets[f];
-    const auto axes = projection(s_.normals[f]);
-    std::vector<int> visits(loop.size());
-    std::iota(visits.begin(), visits.end(), 0);
-    std::sort(visits.begin(), visits.end(), [&](int i, int j) { return loop[i] < loop[j]; });
-    const int n = static_cast<int>(loop.size());
-    for (int i = 0, j = 0; i < n; i = j) {
-      const int v = loop[visits[i]];
-      struct visits_by {
-        int leaving = -1;
-        int arriving = -1;
-      };
-      std::map<int, visits_by> ends;
-      for (j = i; j < n && loop[visits[j]] == v; ++j) {
-        ends[loop[(visits[j] + 1) % n]].leaving = j;
-        ends[loop[(visits[j] + n - 1) % n]].arriving = j;
-      }
-      if (j == i + 1) continue;
-      const auto direction = [&](int w) {
-        return std::array<Int, 2>{s_.points[w][axes[0]] - s_.points[v][axes[0]], s_.points[w][axes[1]] - s_.points[v][axes[1]]};
-      };
-      std::vector<std::pair<int, visits_by>> order(ends.begin(), ends.end());
-      std::sort(order.begin(), order.end(), [&](const auto& x, const auto& y) {
-        const auto u = direction(x.first);
-        const auto w = direction(y.first);
-        const bool lower_u = u[1] < 0 || (u[1] == 0 && u[0] < 0);
-        const bool lower_w = w[1] < 0 || (w[1] == 0 && w[0] < 0);
-        return lower_u != lower_w ? lower_w : u[0] * w[1] > u[1] * w[0];
-      });
-      for (std::size_t k = 0; k < order.size(); ++k) {
-        const int leaving = order[k].second.leaving;
-        if (leaving >= 0 && order[(k + 1) % order.size()].second.arriving != leaving) found_ = bad_contact{kind::corner, f, v};
-      }
-    }
-  }
-
-  sign side(int p, int f) const { return is_corner(p, f) ? sign::zero : sign_of(Int(dot(s_.normals[f], s_.points[p]) - s_.offsets[f])); }
-
-  bool meets(const edge& e, int f) const {
-    if (e.facets[0] == f || e.facets[1] == f) return false;  // seen by check_loop
-    const sign sa = side(e.a, f);
-    const sign sb = side(e.b, f);
-    if (sa == sb && sa != sign::zero) return false;
-    const int touching = sa == sign::zero ? e.a : e.b;  // if one of them does
-    if (sa * sb == sign::zero && sa != sb && is_corner(touching, f)) return false;
-    const auto axes = projection(s_.normals[f]);
-    if (sa != sign::zero && sb != sign::zero) {
-      const auto height = [&](int p) -> Int {
-        const Int h = dot(s_.normals[f], s_.points[p]) - s_.offsets[f];
-        return h < 0 ? Int(-h) : h;
-      };
-      const Int wa = height(e.a);
-      const Int wb = height(e.b);
-      const auto mix = [&](int axis) -> Int { return s_.points[e.a][axis] * wb + s_.points[e.b][axis] * wa; };
-      return where({mix(axes[0]), mix(axes[1]), wa + wb}, f, axes) != location::outside;
-    }
-    if (sa == sign::zero && sb == sign::zero) {
-      const auto& loop = s_.facets[f];
-      for (std::size_t i = 0; i < loop.size(); ++i)
-        if (edges_meet(e.a, e.b, loop[i], loop[(i + 1) % loop.size()], axes)) return true;
-      return where(middle(e.a, e.b, axes), f, axes) != location::outside;
-    }
-    return where(at(touching, axes), f, axes) != location::outside;
-  }
+  int facets() const { return static_cast<int>(s_.input.facets.size()); }
+  const std::vector<int>& loop(int f) const { return s_.loop(static_cast<std::size_t>(f)); }
 
   void make_edges() {
     struct directed {
@@ -251,168 +94,160 @@ class intersection_search {
       bool operator<(const directed& o) const { return std::tie(low, high, facet) < std::tie(o.low, o.high, o.facet); }
     };
     std::vector<directed> all;
-    for (int f = 0; f < static_cast<int>(s_.facets.size()); ++f) {
-      const auto& loop = s_.facets[f];
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        const auto [low, high] = std::minmax(loop[i], loop[(i + 1) % loop.size()]);
+    for (int f = 0; f < facets(); ++f)
+      for (std::size_t i = 0; i < loop(f).size(); ++i) {
+        const auto [low, high] = std::minmax({loop(f)[i], loop(f)[(i + 1) % loop(f).size()]});
         all.push_back({low, high, f});
       }
-    }
     std::sort(all.begin(), all.end());
     for (std::size_t i = 0; i + 1 < all.size(); i += 2) edges_.push_back({all[i].low, all[i].high, {all[i].facet, all[i + 1].facet}});
   }
 
-  void make_planes() {
-    double reach = 0;
-    for (const auto& p : points_)
-      for (const double x : p) reach = std::max(reach, std::abs(x));
-    for (std::size_t f = 0; f < s_.facets.size(); ++f) {
-      unsigned shift = 0;
-      for (const Int& x : s_.normals[f]) shift = std::max(shift, double_shift(x));
-      auto& p = planes_.emplace_back();
-      double greatest = 0;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        p.n[axis] = static_cast<double>(Int(s_.normals[f][axis] >> shift));
-        greatest = std::max(greatest, std::abs(p.n[axis]));
-      }
-      p.d = static_cast<double>(Int(s_.offsets[f] >> (shift + shift_)));
-      p.error = greatest * reach * 1e-14;  // four conversions, six roundings: at most 20 ulp of this product
-    }
-  }
-
-  // Edges against facets, by their boxes along the axis with the fewest overlaps.
-  void sweep() {
-    make_edges();
-    make_planes();
-    std::vector<box> facet_boxes;
-    std::vector<box> edge_boxes;
-    for (const auto& loop : s_.facets) facet_boxes.emplace_back(points_, loop);
-    for (const edge& e : edges_) edge_boxes.emplace_back(points_, std::array<int, 2>{e.a, e.b});
-    std::size_t axis = 0;
+  void make_boxes() {
+    for (int f = 0; f < facets(); ++f) facet_boxes_.emplace_back(s_.rough, loop(f));
+    for (const edge& e : edges_) edge_boxes_.emplace_back(s_.rough, std::array<int, 2>{e.a, e.b});
     std::size_t fewest = 0;
-    for (std::size_t candidate = 0; candidate < 3; ++candidate) {
-      std::vector<double> starts;
-      for (const box& b : edge_boxes) starts.push_back(b.lo[candidate]);
-      std::sort(starts.begin(), starts.end());
-      std::size_t overlaps = 0;
-      for (const box& b : edge_boxes)
-        overlaps += static_cast<std::size_t>(std::upper_bound(starts.begin(), starts.end(), b.hi[candidate]) -
-                                             std::lower_bound(starts.begin(), starts.end(), b.lo[candidate]));
-      if (candidate > 0 && overlaps >= fewest) continue;
-      axis = candidate;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t overlaps = overlaps_along(axis);
+      if (axis > 0 && overlaps >= fewest) continue;
+      axis_ = axis;
       fewest = overlaps;
     }
-    // All that most pairs need, in the order of the sweep.
-    struct edge_item {
-      box b;
-      std::array<std::array<double, 3>, 2> ends;
-      int id;
-    };
-    struct facet_item {
-      box b;
-      rough_plane plane;
-      std::array<int, 3> corners;  // the first ones
-      int id;
-    };
-    std::vector<edge_item> edges;
-    std::vector<facet_item> facets;
+  }
+
+  // How many pairs of edges overlap along an axis, about.
+  std::size_t overlaps_along(std::size_t axis) const {
+    std::vector<double> starts;
+    starts.reserve(edge_boxes_.size());
+    for (const box3& b : edge_boxes_) starts.push_back(b.lo[axis]);
+    std::sort(starts.begin(), starts.end());
+    std::size_t overlaps = 0;
+    for (const box3& b : edge_boxes_)
+      overlaps += static_cast<std::size_t>(std::upper_bound(starts.begin(), starts.end(), b.hi[axis]) -
+                                           std::lower_bound(starts.begin(), starts.end(), b.lo[axis]));
+    return overlaps;
+  }
+
+  void make_items() {
+    double reach = 0;
+    for (const auto& p : s_.rough)
+      for (const double x : p) reach = std::max(reach, std::abs(x));
     for (std::size_t i = 0; i < edges_.size(); ++i)
-      edges.push_back({edge_boxes[i], {points_[edges_[i].a], points_[edges_[i].b]}, static_cast<int>(i)});
-    for (std::size_t f = 0; f < facet_boxes.size(); ++f) {
-      const auto& loop = s_.facets[f];
-      facets.push_back({facet_boxes[f], planes_[f], {loop[0], loop[1], loop[2]}, static_cast<int>(f)});
+      edge_items_.push_back({edge_boxes_[i], {s_.rough[edges_[i].a], s_.rough[edges_[i].b]}, static_cast<int>(i)});
+    for (int f = 0; f < facets(); ++f) facet_items_.push_back({facet_boxes_[f], rough_plane_of(f, reach), {loop(f)[0], loop(f)[1], loop(f)[2]}, f});
+    const auto by_start = [this](const auto& x, const auto& y) { return std::tie(x.b.lo[axis_], x.id) < std::tie(y.b.lo[axis_], y.id); };
+    std::sort(edge_items_.begin(), edge_items_.end(), by_start);
+    std::sort(facet_items_.begin(), facet_items_.end(), by_start);
+  }
+
+  rough_plane rough_plane_of(int f, double reach) const {
+    const auto& exact = s_.plane(static_cast<std::size_t>(f));
+    unsigned shift = 0;
+    for (const Int& x : exact.n) shift = std::max(shift, double_shift(x));
+    rough_plane p{};
+    double greatest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      p.n[axis] = static_cast<double>(Int(exact.n[axis] >> shift));
+      greatest = std::max(greatest, std::abs(p.n[axis]));
     }
-    const auto by_start = [axis](const auto& x, const auto& y) { return std::tie(x.b.lo[axis], x.id) < std::tie(y.b.lo[axis], y.id); };
-    std::sort(edges.begin(), edges.end(), by_start);
-    std::sort(facets.begin(), facets.end(), by_start);
-    const auto test = [&](const edge_item& e, const facet_item& f) {
-      if (!e.b.overlaps(f.b)) return false;
-      const sign sa = f.plane.side(e.ends[0]);
-      const sign sb = f.plane.side(e.ends[1]);
-      const edge& of = edges_[e.id];
-      if (sa != sign::zero && sa == sb) return false;
-      if (sa != sb && sa * sb == sign::zero) {  // an edge that leaves a corner of the facet
-        const int p = sa == sign::zero ? of.a : of.b;
-        if (p == f.corners[0] || p == f.corners[1] || p == f.corners[2]) return false;
-      }
-      if (!meets(of, f.id)) return false;
-      found_ = bad_contact{kind::edge, f.id, of.a, of.b};
-      return true;
+    p.d = static_cast<double>(Int(exact.d >> (shift + s_.rough_shift)));
+    p.error = greatest * reach * 1e-14;  // four conversions, six roundings: at most 20 ulp of this product
+    return p;
+  }
+
+  bool meets(const edge_item& e, const facet_item& f) const {
+    if (!e.b.overlaps(f.b)) return false;
+    const sign sa = f.plane.side(e.ends[0]);
+    const sign sb = f.plane.side(e.ends[1]);
+    const edge& of = edges_[e.id];
+    if (sa != sign::zero && sa == sb) return false;
+    if (sa != sb && sa * sb == sign::zero) {  // an edge that leaves a corner of the facet
+      const int p = sa == sign::zero ? of.a : of.b;
+      if (p == f.corners[0] || p == f.corners[1] || p == f.corners[2]) return false;
+    }
+    return meets(of, f.id);
+  }
+  bad_contact contact(const edge_item& e, const facet_item& f) const { return {bad_contact::kind::edge, f.id, edges_[e.id].a, edges_[e.id].b}; }
+
+  bool is_corner(int p, int f) const { return std::find(loop(f).begin(), loop(f).end(), p) != loop(f).end(); }
+  Int height(int p, int f) const {
+    const auto& plane = s_.plane(static_cast<std::size_t>(f));
+    return dot(plane.n, s_.points[p]) - plane.d;
+  }
+  sign side(int p, int f) const { return is_corner(p, f) ? sign::zero : sign_of(height(p, f)); }
+
+  bool meets(const edge& e, int f) const {
+    if (e.facets[0] == f || e.facets[1] == f) return false;  // find_fault_of_loop has looked at these
+    const sign sa = side(e.a, f);
+    const sign sb = side(e.b, f);
+    if (sa == sb && sa != sign::zero) return false;
+    const int touching = sa == sign::zero ? e.a : e.b;  // if one of them does
+    if (sa * sb == sign::zero && sa != sb && is_corner(touching, f)) return false;
+    const projected_facet<Int> facet(s_, f);
+    if (sa != sign::zero && sb != sign::zero) return facet.locate(crossing(e, f, facet.axes())) != location::outside;
+    if (sa != sign::zero || sb != sign::zero) return facet.locate(facet.at(touching)) != location::outside;
+    for (std::size_t i = 0; i < loop(f).size(); ++i)
+      if (facet.edges_meet(e.a, e.b, loop(f)[i], loop(f)[(i + 1) % loop(f).size()])) return true;
+    return facet.locate_middle(e.a, e.b) != location::outside;
+  }
+
+  // Where an edge with ends on both sides crosses the plane of a facet.
+  point2<Int> crossing(const edge& e, int f, const std::array<int, 2>& axes) const {
+    const auto distance = [&](int p) -> Int {
+      const Int h = height(p, f);
+      return h < 0 ? Int(-h) : h;
     };
-    // Of a pair that overlaps along the axis, one starts within the other.
-    auto first_edge = edges.begin();
-    for (const facet_item& f : facets) {
-      while (first_edge != edges.end() && first_edge->b.lo[axis] < f.b.lo[axis]) ++first_edge;
-      for (auto e = first_edge; e != edges.end() && e->b.lo[axis] <= f.b.hi[axis]; ++e)
-        if (test(*e, f)) return;
-    }
-    auto first_facet = facets.begin();
-    for (const edge_item& e : edges) {
-      while (first_facet != facets.end() && first_facet->b.lo[axis] <= e.b.lo[axis]) ++first_facet;
-      for (auto f = first_facet; f != facets.end() && f->b.lo[axis] <= e.b.hi[axis]; ++f)
-        if (test(e, *f)) return;
-    }
+    const Int wa = distance(e.a);
+    const Int wb = distance(e.b);
+    const auto mix = [&](int axis) -> Int { return s_.points[e.a][axis] * wb + s_.points[e.b][axis] * wa; };
+    return {mix(axes[0]), mix(axes[1]), wa + wb};
   }
 
-  // Facets that pass through each other from one common corner to another, where no edge meets the other facet's inside.
-  void check_chords() {
-    std::vector<std::vector<int>> at_point(s_.points.size());
-    const int n = static_cast<int>(s_.facets.size());
-    for (int f = 0; f < n; ++f)
-      if (s_.facets[f].size() > 3)
-        for (const int p : s_.facets[f])
-          if (at_point[p].empty() || at_point[p].back() != f) at_point[p].push_back(f);
-    std::vector<std::pair<int, int>> met(s_.facets.size(), {-1, -1});  // the facet that met it last, and where first
-    for (int f = 0; f < n; ++f) {
-      if (s_.facets[f].size() == 3) continue;
-      const auto axes = projection(s_.normals[f]);
-      std::vector<std::pair<int, int>> common;  // with facet, corner
-      for (const int p : s_.facets[f])
-        for (auto g = std::upper_bound(at_point[p].begin(), at_point[p].end(), f); g != at_point[p].end(); ++g) {
-          auto& [with, first] = met[*g];
-          if (with == f && first != p) common.insert(common.end(), {{*g, first}, {*g, p}});
-          if (with != f) met[*g] = {f, p};
-        }
-      std::sort(common.begin(), common.end(), [this](const auto& x, const auto& y) {
-        return x.first != y.first ? x.first < y.first : s_.points[x.second] < s_.points[y.second];  // in order along the common line
-      });
-      common.erase(std::unique(common.begin(), common.end()), common.end());
-      std::map<std::pair<int, int>, bool> inside;
-      for (std::size_t i = 1; i < common.size(); ++i) {
-        const auto [g, b] = common[i];
-        if (common[i - 1].first != g) continue;
-        const int a = common[i - 1].second;
-        const auto within_g = [&, g = g, b = b] {
-          const auto axes_g = projection(s_.normals[g]);
-          return where(middle(a, b, axes_g), g, axes_g) == location::inside;
-        };
-        const bool small = s_.facets[g].size() < s_.facets[f].size();  // ask it first: most chords are edges
-        if (small && !within_g()) continue;
-        const auto [known, fresh] = inside.try_emplace({a, b});
-        if (fresh) known->second = where(middle(a, b, axes), f, axes) == location::inside;
-        if (known->second && (small || within_g())) {
-          found_ = bad_contact{kind::chord, f, a, b, g};
-          return;
-        }
-      }
-    }
-  }
-
-  const surface_view<Int>& s_;
-  unsigned shift_ = 0;
-  std::vector<std::array<double, 3>> points_;
+  const surface<Int>& s_;
   std::vector<edge> edges_;
-  std::vector<rough_plane> planes_;
-  std::optional<bad_contact> found_;
+  std::vector<box3> edge_boxes_;
+  std::vector<box3> facet_boxes_;
+  std::size_t axis_ = 0;  // with the fewest overlaps
+  std::vector<edge_item> edge_items_;
+  std::vector<facet_item> facet_items_;
 };
 
 }  // namespace detail
 
-/// The first bad contact found, or nothing. Boxes are swept along an axis; doubles only decide what they are certain of. About
-/// n log n plus the number of overlaps along that axis, those of boxes linear in their facet.
+/// Returns a place where a surface meets itself although it must not, or nothing. Facets may have
+/// points in common, and edges with those next to them.
+/// *Requires* a surface with planes, of whose edges each belongs to two facets, once in each
+/// direction.
+/// *Complexity* about n log n plus the number of overlaps along the best axis of edges' and facets'
+/// boxes, of which those of overlapping boxes are linear in their facet.
 template <class Int>
-std::optional<bad_contact> find_self_intersection(const surface_view<Int>& s) {
-  return detail::intersection_search<Int>(s).run();
+std::optional<bad_contact> find_self_intersection(const surface<Int>& s) {
+  for (int f = 0; f < static_cast<int>(s.input.facets.size()); ++f)
+    if (const auto found = find_fault_of_loop(s, f)) return found;
+  if (const auto found = detail::edge_facet_search<Int>(s).run()) return found;
+  return chord_search<Int>(s).run();
+}
+
+/// Checks that a surface does not meet itself where it must not (see find_self_intersection).
+/// *Throws* input_error(self_intersection).
+template <class Int>
+void check_self_intersection(const surface<Int>& s) {
+  const auto bad = find_self_intersection(s);
+  if (!bad) return;
+  const auto refuse = [&](const std::string& what, const std::string& hint) {
+    s.input.refuse_facet(input_fault::self_intersection, static_cast<std::size_t>(bad->facet), what, hint);
+  };
+  const auto points = [&] { return "points " + std::to_string(bad->a + 1) + " and " + std::to_string(bad->b + 1); };
+  switch (bad->what) {
+    case bad_contact::kind::edge:
+      return refuse(" is met by the edge between " + points(), "separate the two parts, or unite them into one surface");
+    case bad_contact::kind::corner:
+      return refuse(" passes point " + std::to_string(bad->a + 1) + " more than once and overlaps or turns over there",
+                    "run the outer loop counter-clockwise, holes clockwise, and slits to them inside the facet");
+    case bad_contact::kind::chord:
+      return refuse(" and facet " + std::to_string(bad->other + 1) + " pass through each other between " + points(),
+                    "separate them, or cut both along that line");
+  }
 }
 
 }  // namespace osteon
