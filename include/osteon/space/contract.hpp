@@ -47,7 +47,7 @@ struct contracted_skeleton {
 };
 
 /// Contracts under the *unperturbed* kernel, whose zeros say what coincides.
-template <kernel<3> K>
+template <unperturbed_kernel<3> K>
 class contraction {
  public:
   contraction(const K& k, const boundary& solid, const skeleton& raw) : k_(k), solid_(solid), raw_(raw) {}
@@ -465,10 +465,14 @@ class contraction {
   contracted_skeleton result_;
 };
 
-/// The exact skeleton behind a raw one. `k` is the kernel below the perturbation.
-template <kernel<3> K>
+/// Returns the exact skeleton behind a raw one. A perturbed kernel gives its base.
+/// *Requires* a kernel with the solid's planes.
+template <contracting_kernel<3> K>
 contracted_skeleton contract(const K& k, const boundary& solid, const skeleton& raw) {
-  return contraction<K>(k, solid, raw).run();
+  if constexpr (perturbed_kernel<K, 3>)
+    return contract(k.base(), solid, raw);
+  else
+    return contraction<K>(k, solid, raw).run();
 }
 
 }  // namespace osteon
