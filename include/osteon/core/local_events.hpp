@@ -24,6 +24,9 @@ using state = std::uint32_t;
 template <unsigned Planes>
 inline constexpr cell every_plane = (1U << Planes) - 1U;
 
+/// Returns whether a cell lies inside plane q.
+constexpr bool is_inside(cell c, unsigned q) { return (c >> q & 1U) != 0; }
+
 /// Returns whether cell c is solid.
 constexpr bool solid(state f, cell c) { return (f >> c & 1U) != 0; }
 

@@ -111,8 +111,13 @@ inline constexpr std::uint8_t majority = 0b11101000;
 /// The nine corners: and, or, x(y+z), x+yz, majority.
 inline constexpr std::array<std::uint8_t, 9> corners = {0x80, 0xFE, 0xA8, 0xC8, 0xE0, 0xEA, 0xEC, 0xF8, majority};
 
-/// What can be seen of a state on the boundary of the solid: 18 pieces and, for planes without any edge, whether
-/// their facet contains the point. Two bits a piece, one bit a plane.
+/// Returns the bits of a key that say what covers piece w of the line of pair p.
+constexpr std::uint64_t piece_bits(unsigned p, unsigned w, piece e) { return static_cast<std::uint64_t>(e) << (2 * (3 * p + w)); }
+/// Returns the bit of a key that says that the facet of plane q contains the point, though no edge of it does.
+constexpr std::uint64_t facet_bit(unsigned q) { return std::uint64_t{1} << (36 + q); }
+
+/// Returns what can be seen of a state on the boundary of the solid: 18 pieces and, for planes
+/// without any edge, whether their facet contains the point. Two bits a piece, one bit a plane.
 constexpr std::uint64_t key(state f, cell small) {
   std::uint64_t result = 0;
   unsigned with_edge = 0;
@@ -120,16 +125,27 @@ constexpr std::uint64_t key(state f, cell small) {
     for (unsigned w = 0; w < 3; ++w) {
       const piece e = piece_at(f, pairs[p], label(pairs[p], static_cast<place>(w), small, false));
       if (e == piece::none) continue;
-      result |= static_cast<std::uint64_t>(e) << (2 * (3 * p + w));
+      result |= piece_bits(p, w, e);
       with_edge |= 1U << pairs[p].i | 1U << pairs[p].j;
     }
   for (unsigned q = 0; q < 4; ++q)
-    if ((with_edge >> q & 1U) == 0 && involved<4>(f, q, small ^ 15U)) result |= std::uint64_t{1} << (36 + q);
+    if ((with_edge >> q & 1U) == 0 && involved<4>(f, q, small ^ 15U)) result |= facet_bit(q);
   return result;
 }
 
 /// Returns the state after an event, with the created cell solid or not.
 constexpr state successor(const event& e, bool fill) { return successor<4>(e.before, e.small, fill); }
+
+/// Returns the pair of planes on whose line an event makes an edge between two new vertices, the
+/// first of several; -1 where it makes none.
+constexpr int new_edge(const event& e, bool fill) {
+  const state after = successor(e, fill);
+  const auto corner = [&](unsigned q) { return is_corner(corner_at(after, q, !is_inside(e.small, q))); };
+  for (unsigned p = 0; p < pairs.size(); ++p)
+    if (corner(pairs[p].k) && corner(pairs[p].l) && piece_at(after, pairs[p], label(pairs[p], segment, e.small, true)) != piece::none)
+      return static_cast<int>(p);
+  return -1;
+}
 
 /// The event's class, read off the vertices and edges that vanish and appear. Thesis 3.9, design 02.
 constexpr event_class classify(const event& e, bool fill) {
@@ -139,7 +155,7 @@ constexpr event_class classify(const event& e, bool fill) {
   std::array<bool, 4> corner_before{};
   std::array<bool, 4> corner_after{};
   for (unsigned q = 0; q < 4; ++q) {
-    const bool in = (e.small >> q & 1U) != 0;
+    const bool in = is_inside(e.small, q);
     corner_before[q] = is_corner(corner_at(e.before, q, in));
     corner_after[q] = is_corner(corner_at(after, q, !in));
     vertices_before += corner_before[q] ? 1 : 0;
