@@ -7,13 +7,17 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "isomorphism.hpp"
 #include "osteon/input/mesh_repair.hpp"
 #include "osteon/models/registry.hpp"
+#include "osteon/plane/contract.hpp"
 #include "osteon/space/contract.hpp"
+#include "osteon/space/verify.hpp"
 #include "support.hpp"
 
 namespace osteon::test {
@@ -24,7 +28,7 @@ using counts = std::array<std::size_t, 3>;
 counts contracted(const input_mesh<integer>& m, const skeleton_options& o = {}) {
   const auto s = make_solid(m);
   const auto k = default_kernel(s);
-  const auto c = contract(k.base(), s.boundary, straight_skeleton(k, s.boundary, o));
+  const auto c = contract(k, s.boundary, straight_skeleton(k, s.boundary, o));
   return {c.nodes.size(), c.arcs.size(), c.sheets.size()};
 }
 
@@ -37,6 +41,59 @@ TEST(Contraction, KnownSkeletons) {
     EXPECT_EQ(contracted(pyramid({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}, height).take<integer>()), (counts{6, 5, 8})) << height;
   EXPECT_EQ(contracted(octahedron(1).take<integer>()), (counts{7, 6, 12}));
   EXPECT_EQ(contracted(tetrahedron().take<integer>()), (counts{5, 4, 6}));
+}
+
+// ---- who may contract: a kernel whose zeros say what coincides, or one that has such a base
+
+template <class K>
+concept may_contract = requires(const K& k, const boundary& b, const skeleton& raw) {
+  contract(k, b, raw);
+};
+template <class K>
+concept may_verify_contraction = requires(const K& k, const boundary& b, const skeleton& raw, const contracted_skeleton& c) {
+  verify_contraction(k, b, raw, c);
+};
+template <class K>
+concept has_contraction = requires {
+  typename contraction<K>;
+};
+template <class K>
+concept may_contract_lines = requires(const K& k, const std::vector<int>& lines, const plane::skeleton& raw) {
+  plane::contract(k, lines, raw);
+};
+template <class K>
+concept has_contraction_of_lines = requires {
+  typename plane::contraction<K>;
+};
+
+// Breaks ties, and hides what is below.
+template <class K>
+struct without_base : K {
+ private:
+  using K::base;
+};
+
+using limit = filtered<sqrt_kernel>;
+static_assert(may_contract<limit> && has_contraction<limit> && may_verify_contraction<limit>);
+static_assert(may_contract<sqrt_kernel> && may_contract<rational_kernel>);
+static_assert(may_contract<perturbed<limit>> && may_verify_contraction<perturbed<limit>>);
+static_assert(!has_contraction<perturbed<limit>>);
+static_assert(kernel<without_base<perturbed<limit>>, 3>);
+static_assert(!may_contract<without_base<perturbed<limit>>> && !may_verify_contraction<without_base<perturbed<limit>>>);
+
+using line_limit = filtered<decltype(make_sqrt_kernel(std::span<const moving_line<integer>>()))>;
+static_assert(may_contract_lines<line_limit> && has_contraction_of_lines<line_limit>);
+static_assert(may_contract_lines<perturbed<line_limit>> && !has_contraction_of_lines<perturbed<line_limit>>);
+static_assert(kernel<without_base<perturbed<line_limit>>, 2> && !may_contract_lines<without_base<perturbed<line_limit>>>);
+
+TEST(Contraction, OfAPerturbedKernelIsThatOfItsBase) {
+  const auto s = make_solid(models::box(1, 1, 1).take<integer>());
+  const auto k = default_kernel(s);
+  const auto raw = straight_skeleton(k, s.boundary);
+  EXPECT_GT(raw.nodes.size(), 9U);
+  EXPECT_EQ(contract(k, s.boundary, raw).nodes.size(), 9U);
+  EXPECT_EQ(contract(k.base(), s.boundary, raw).nodes.size(), 9U);
+  EXPECT_FALSE(verify_contraction(k, s.boundary, raw, contract(k.base(), s.boundary, raw)));
 }
 
 // A box with sides a <= b <= c keeps at time a/2 a rectangle of sides b - a and c - a: a point, a segment or a rectangle with an area.

@@ -13,6 +13,11 @@
 namespace osteon::plane::local {
 namespace {
 
+using osteon::local::involved;
+using osteon::local::makes_facet_from_nowhere;
+using osteon::local::monotone;
+using osteon::local::successor;
+
 // All states before with all lines involved, found anew from the states themselves.
 struct entry {
   cell small;
@@ -25,13 +30,14 @@ std::vector<entry> all_entries() {
   for (cell small = 1; small < 8; ++small)
     for (unsigned f = 0; f < 256; ++f) {
       const auto before = static_cast<state>(f);
-      if (inside(before, small ^ 7U) || !monotone(before, small ^ 7U)) continue;
+      if (inside(before, small ^ 7U) || !monotone<3>(before, small ^ 7U)) continue;
       bool all = true;
-      for (unsigned r = 0; r < 3; ++r) all = all && involved(before, r, small ^ 7U);
+      for (unsigned r = 0; r < 3; ++r) all = all && involved<3>(before, r, small ^ 7U);
       if (!all) continue;
       entry e{small, before, {}};
       for (const bool fill : {false, true})
-        if (const state after = successor(before, small, fill); monotone(after, small) && !edge_from_nowhere(after, small)) e.after.push_back(after);
+        if (const auto after = successor<3>(before, small, fill); monotone<3>(after, small) && !makes_facet_from_nowhere<3>(after, small ^ 7U))
+          e.after.push_back(static_cast<state>(after));
       result.push_back(std::move(e));
     }
   return result;

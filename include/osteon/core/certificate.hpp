@@ -19,10 +19,16 @@ struct broken_rule {
 
 namespace certificate {
 
+/// Ends the check: throws broken_rule with this witness.
+template <class Rule>
+[[noreturn]] void refute(Rule rule, const std::string& witness) {
+  throw broken_rule<Rule>{rule, witness};
+}
+
 /// Throws broken_rule with the witness "WHAT NUMBER: WHY" where the demand does not hold.
 template <class Rule, std::integral Number>
 void demand(bool holds, Rule rule, const char* what, Number number, const char* why) {
-  if (!holds) throw broken_rule<Rule>{rule, std::string(what) + " " + std::to_string(number) + ": " + why};
+  if (!holds) refute(rule, std::string(what) + " " + std::to_string(number) + ": " + why);
 }
 
 /// Returns whether `id` counts something in a list of this size.

@@ -18,6 +18,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
+#include <utility>
 
 #include "osteon/core/planes.hpp"
 #include "osteon/core/sign.hpp"
@@ -113,6 +115,29 @@ concept graded_kernel = requires(const K& k, int grade, const corner_planes<K::d
   // A meeting without the promise that S is not zero at grade 0.
   { k.meeting_of(q) } -> std::same_as<typename K::meeting>;
 };
+
+/// A kernel that says of itself (`K::breaks_ties`) that it never answers zero about different planes: it tells apart what coincides.
+template <class K>
+concept tie_breaking_kernel = requires {
+  requires K::breaks_ties;
+};
+
+/// A kernel whose zeros tell what coincides.
+template <class K, int D>
+concept unperturbed_kernel = kernel<K, D> && !tie_breaking_kernel<K>;
+
+/// The kernel that an adaptor has below it.
+template <class K>
+using base_of = std::remove_cvref_t<decltype(std::declval<const K&>().base())>;
+
+/// A kernel that breaks the ties of another one, its base, whose zeros tell what coincides.
+template <class K, int D>
+concept perturbed_kernel = kernel<K, D> && tie_breaking_kernel<K> && unperturbed_kernel<base_of<K>, D>;
+
+/// A kernel under which a raw skeleton can be contracted: by its own zeros, or by those of its base. A kernel that breaks ties and has
+/// no base would merge nothing.
+template <class K, int D>
+concept contracting_kernel = unperturbed_kernel<K, D> || perturbed_kernel<K, D>;
 
 /// The highest power of the infinitesimal in which D, S and their products have coefficients: lambda has degree 3 (the dimension) in
 /// e^2, D one more in e, so D has degree 7, S 6 and D S 13.

@@ -8,12 +8,15 @@
 #include <array>
 #include <cstdint>
 
+#include "osteon/core/local_events.hpp"
+
 namespace osteon::plane::local {
 
-using cell = unsigned;
+using osteon::local::cell;
 using state = std::uint8_t;
 
-constexpr bool inside(state f, cell c) { return (f >> c & 1U) != 0; }
+/// Returns whether cell c is inside the polygon.
+constexpr bool inside(state f, cell c) { return osteon::local::solid(f, c); }
 
 /// Three pieces of line r exist at a time: two rays and the segment between the other lines. A piece's label is the cell on its outer side.
 /// Before the event the segment's label is `small` without bit r, afterwards the opposite one; those of the rays stay.
@@ -21,42 +24,6 @@ constexpr cell segment_label(cell small, unsigned r, bool after) { return (after
 
 /// Whether the piece of line r with this label belongs to an edge.
 constexpr bool has_edge(state f, unsigned r, cell label) { return inside(f, label) != inside(f, label | 1U << r); }
-
-/// Whether no cell becomes part of the polygon on the way out through a line.
-constexpr bool monotone(state f, cell missing) {
-  for (cell c = 0; c < 8; ++c)
-    for (unsigned r = 0; r < 3; ++r) {
-      const cell d = c | 1U << r;
-      if (d != c && c != missing && d != missing && inside(f, c) && !inside(f, d)) return false;
-    }
-  return true;
-}
-
-/// Whether an edge on line r reaches the point.
-constexpr bool involved(state f, unsigned r, cell missing) {
-  for (cell c = 0; c < 8; ++c)
-    if (c != missing && (c ^ 1U << r) != missing && inside(f, c) != inside(f, c ^ 1U << r)) return true;
-  return false;
-}
-
-/// Whether the segment on some line would be an edge of its own, from nowhere.
-constexpr bool edge_from_nowhere(state after, cell small) {
-  for (unsigned r = 0; r < 3; ++r) {
-    if (!has_edge(after, r, segment_label(small, r, true))) continue;
-    bool attached = false;
-    for (cell label = 0; label < 8; ++label) {
-      const bool ray = (label >> r & 1U) == 0 && label != segment_label(small, r, true) && label != segment_label(small, r, false);
-      attached = attached || (ray && has_edge(after, r, label));
-    }
-    if (!attached) return true;
-  }
-  return false;
-}
-
-/// The state after the event with the new cell outside or inside the polygon.
-constexpr state successor(state before, cell small, bool fill) {
-  return static_cast<state>((before & ~(1U << small)) | (fill ? 1U << (small ^ 7U) : 0U));
-}
 
 /// What is seen of a state: a bit for each piece.
 using view = std::uint32_t;
@@ -86,18 +53,13 @@ struct event_list {
 /// (tests/planar_catalogue_test.cpp).
 constexpr std::array<event_list, 8> make_catalogue() {
   std::array<event_list, 8> result{};
-  for (cell small = 1; small < 8; ++small)
-    for (unsigned f = 0; f < 256; ++f) {
-      const auto before = static_cast<state>(f);
-      if (inside(before, small ^ 7U) || !monotone(before, small ^ 7U)) continue;
-      bool all = true;
-      for (unsigned r = 0; r < 3; ++r) all = all && involved(before, r, small ^ 7U);
-      if (!all) continue;
-      for (const bool fill : {false, true}) {
-        const state after = successor(before, small, fill);
-        if (monotone(after, small) && !edge_from_nowhere(after, small)) result[small].all[result[small].size++] = {view_of(before, small), after};
-      }
-    }
+  osteon::local::for_each_event<3>([&result](const osteon::local::event& e) {
+    event_list& events = result[e.small];
+    const auto before = static_cast<state>(e.before);
+    for (const bool fill : {false, true})
+      if (fill ? e.may_fill : e.may_empty)
+        events.all[events.size++] = {view_of(before, e.small), static_cast<state>(osteon::local::successor<3>(before, e.small, fill))};
+  });
   return result;
 }
 inline constexpr std::array<event_list, 8> catalogue = make_catalogue();

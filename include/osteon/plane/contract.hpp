@@ -40,7 +40,7 @@ struct contracted_skeleton {
 };
 
 /// Contracts under the *unperturbed* kernel, whose zeros say what coincides.
-template <kernel<2> K>
+template <unperturbed_kernel<2> K>
 class contraction {
  public:
   contraction(const K& k, const std::vector<int>& line_of_edge, const skeleton& raw) : k_(k), line_(line_of_edge), raw_(raw) {}
@@ -393,9 +393,14 @@ class contraction {
   std::vector<int> degree_;
 };
 
-template <kernel<2> K>
+/// Returns the exact skeleton behind a raw one. A perturbed kernel gives its base.
+/// *Requires* a kernel with the polygon's lines.
+template <contracting_kernel<2> K>
 contracted_skeleton contract(const K& k, const std::vector<int>& line_of_edge, const skeleton& raw) {
-  return contraction<K>(k, line_of_edge, raw).run();
+  if constexpr (perturbed_kernel<K, 2>)
+    return contract(k.base(), line_of_edge, raw);
+  else
+    return contraction<K>(k, line_of_edge, raw).run();
 }
 
 }  // namespace osteon::plane

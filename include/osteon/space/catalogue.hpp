@@ -15,7 +15,8 @@
 #include <cstdint>
 #include <string_view>
 #include <unordered_map>
-#include <vector>
+
+#include "osteon/core/local_events.hpp"
 
 namespace osteon {
 
@@ -26,11 +27,6 @@ inline constexpr std::array<std::string_view, event_classes> event_names = {"E1"
                                                                             "V-V-I", "V-V-II", "V-V-E-I", "V-V-E-II", "E-E", "V-F", "other"};
 
 namespace local {
-
-using cell = unsigned;
-using state = std::uint32_t;
-
-constexpr bool solid(state f, cell c) { return (f >> c & 1U) != 0; }
 
 /// The piece of a line that two planes cut out of a neighbourhood: no edge, or an edge of either kind.
 enum class piece : std::uint8_t { none, convex, reflex };
@@ -115,41 +111,13 @@ inline constexpr std::uint8_t majority = 0b11101000;
 /// The nine corners: and, or, x(y+z), x+yz, majority.
 inline constexpr std::array<std::uint8_t, 9> corners = {0x80, 0xFE, 0xA8, 0xC8, 0xE0, 0xEA, 0xEC, 0xF8, majority};
 
-/// Whether f, on all cells but `missing`, never loses solid on the way into a plane.
-constexpr bool monotone(state f, cell missing) {
-  for (cell c = 0; c < 16; ++c)
-    for (unsigned q = 0; q < 4; ++q) {
-      const cell d = c | 1U << q;
-      if (d != c && c != missing && d != missing && solid(f, c) && !solid(f, d)) return false;
-    }
-  return true;
-}
+/// Returns the bits of a key that say what covers piece w of the line of pair p.
+constexpr std::uint64_t piece_bits(unsigned p, unsigned w, piece e) { return static_cast<std::uint64_t>(e) << (2 * (3 * p + w)); }
+/// Returns the bit of a key that says that the facet of plane q contains the point, though no edge of it does.
+constexpr std::uint64_t facet_bit(unsigned q) { return std::uint64_t{1} << (36 + q); }
 
-/// Whether a facet on plane q reaches the common point: f changes across the plane between two existing cells.
-constexpr bool involved(state f, unsigned q, cell missing) {
-  for (cell c = 0; c < 16; ++c) {
-    const cell d = c ^ 1U << q;
-    if (c != missing && d != missing && solid(f, c) != solid(f, d)) return true;
-  }
-  return false;
-}
-
-/// Rule 2 of design 02: on no plane does the small triangle of the new cell form a facet of its own.
-constexpr bool no_facet_from_nowhere(state after, cell created) {
-  for (unsigned q = 0; q < 4; ++q) {
-    if (solid(after, created) == solid(after, created ^ 1U << q)) continue;
-    bool attached = false;
-    for (unsigned r = 0; r < 4; ++r) {
-      const cell next = created ^ 1U << r;
-      if (r != q && solid(after, next) != solid(after, next ^ 1U << q)) attached = true;
-    }
-    if (!attached) return false;
-  }
-  return true;
-}
-
-/// What can be seen of a state on the boundary of the solid: 18 pieces and, for planes without any edge, whether
-/// their facet contains the point. Two bits a piece, one bit a plane.
+/// Returns what can be seen of a state on the boundary of the solid: 18 pieces and, for planes
+/// without any edge, whether their facet contains the point. Two bits a piece, one bit a plane.
 constexpr std::uint64_t key(state f, cell small) {
   std::uint64_t result = 0;
   unsigned with_edge = 0;
@@ -157,25 +125,26 @@ constexpr std::uint64_t key(state f, cell small) {
     for (unsigned w = 0; w < 3; ++w) {
       const piece e = piece_at(f, pairs[p], label(pairs[p], static_cast<place>(w), small, false));
       if (e == piece::none) continue;
-      result |= static_cast<std::uint64_t>(e) << (2 * (3 * p + w));
+      result |= piece_bits(p, w, e);
       with_edge |= 1U << pairs[p].i | 1U << pairs[p].j;
     }
   for (unsigned q = 0; q < 4; ++q)
-    if ((with_edge >> q & 1U) == 0 && involved(f, q, small ^ 15U)) result |= std::uint64_t{1} << (36 + q);
+    if ((with_edge >> q & 1U) == 0 && involved<4>(f, q, small ^ 15U)) result |= facet_bit(q);
   return result;
 }
 
-/// One local event: the state before (the complement of `small` left empty) and what may follow.
-struct event {
-  state before;
-  cell small;
-  bool may_empty;  ///< the new cell may stay outside the solid
-  bool may_fill;   ///< the new cell may become solid
-};
+/// Returns the state after an event, with the created cell solid or not.
+constexpr state successor(const event& e, bool fill) { return successor<4>(e.before, e.small, fill); }
 
-constexpr state successor(const event& e, bool fill) {
-  const state kept = e.before & ~(state{1} << e.small);
-  return fill ? kept | state{1} << (e.small ^ 15U) : kept;
+/// Returns the pair of planes on whose line an event makes an edge between two new vertices, the
+/// first of several; -1 where it makes none.
+constexpr int new_edge(const event& e, bool fill) {
+  const state after = successor(e, fill);
+  const auto corner = [&](unsigned q) { return is_corner(corner_at(after, q, !is_inside(e.small, q))); };
+  for (unsigned p = 0; p < pairs.size(); ++p)
+    if (corner(pairs[p].k) && corner(pairs[p].l) && piece_at(after, pairs[p], label(pairs[p], segment, e.small, true)) != piece::none)
+      return static_cast<int>(p);
+  return -1;
 }
 
 /// The event's class, read off the vertices and edges that vanish and appear. Thesis 3.9, design 02.
@@ -186,7 +155,7 @@ constexpr event_class classify(const event& e, bool fill) {
   std::array<bool, 4> corner_before{};
   std::array<bool, 4> corner_after{};
   for (unsigned q = 0; q < 4; ++q) {
-    const bool in = (e.small >> q & 1U) != 0;
+    const bool in = is_inside(e.small, q);
     corner_before[q] = is_corner(corner_at(e.before, q, in));
     corner_after[q] = is_corner(corner_at(after, q, !in));
     vertices_before += corner_before[q] ? 1 : 0;
@@ -218,19 +187,7 @@ constexpr event_class classify(const event& e, bool fill) {
 class catalogue {
  public:
   catalogue() {
-    for (cell small = 1; small < 16; ++small)
-      for (const state f : monotone_states(small ^ 15U)) {
-        bool all = true;
-        for (unsigned q = 0; q < 4; ++q) all = all && involved(f, q, small ^ 15U);
-        if (!all) continue;
-        event e{f, small, false, false};
-        for (const bool fill : {false, true}) {
-          const state after = successor(e, fill);
-          const bool ok = monotone(after, small) && no_facet_from_nowhere(after, small ^ 15U);
-          (fill ? e.may_fill : e.may_empty) = ok;
-        }
-        unique_ = by_small_[small].emplace(key(f, small), e).second && unique_;
-      }
+    for_each_event<4>([this](const event& e) { unique_ = by_small_[e.small].emplace(key(e.before, e.small), e).second && unique_; });
   }
 
   /// The event with this boundary, or null. Expected constant time.
@@ -253,13 +210,6 @@ class catalogue {
   }
 
  private:
-  static std::vector<state> monotone_states(cell missing) {
-    std::vector<state> result;
-    for (state f = 0; f < 1U << 16U; ++f)
-      if (!solid(f, missing) && monotone(f, missing)) result.push_back(f);
-    return result;
-  }
-
   std::array<std::unordered_map<std::uint64_t, event>, 16> by_small_;
   bool unique_ = true;
 };

@@ -25,13 +25,14 @@ class wavefront {
     triple planes;             ///< ascending
     std::array<int, 6> edges;  ///< by slot, -1 for none
     int arc;
+    std::uint8_t corner;  ///< one of the nine (local::corners); 0: not known yet
     bool alive;
   };
   struct edge : segment {
     std::array<int, 2> ends;
     int sheet;
     bool alive;
-    std::array<int, 2> place;  ///< in the lists of its two facets
+    std::array<int, 2> index;  ///< in the lists of its two facets
   };
 
   explicit wavefront(plane_id planes) : by_plane_(planes) {}
@@ -39,9 +40,9 @@ class wavefront {
   /// The slot of a vertex for the edge opposite its plane number t (0..2), inside or outside that plane.
   static int slot(int t, bool inside) { return 2 * t + (inside ? 1 : 0); }
 
-  int add_vertex(const triple& planes, int arc) {
+  int add_vertex(const triple& planes, std::uint8_t corner, int arc) {
     const int id = static_cast<int>(vertices_.size());
-    vertices_.push_back({planes, {-1, -1, -1, -1, -1, -1}, arc, true});
+    vertices_.push_back({planes, {-1, -1, -1, -1, -1, -1}, arc, corner, true});
     by_corner_[planes] = id;
     return id;
   }
@@ -57,7 +58,7 @@ class wavefront {
     by_line_[line(s.planes[0], s.planes[1])].push_back(id);
     for (int side = 0; side < 2; ++side) {
       auto& list = by_plane_[s.planes[side]];
-      edges_[id].place[side] = static_cast<int>(list.size());
+      edges_[id].index[side] = static_cast<int>(list.size());
       list.push_back(id);
     }
     return id;
@@ -71,8 +72,8 @@ class wavefront {
     for (int side = 0; side < 2; ++side) {
       auto& list = by_plane_[gone.planes[side]];
       const int last = list.back();
-      list[gone.place[side]] = last;
-      edges_[last].place[edges_[last].planes[0] == gone.planes[side] ? 0 : 1] = gone.place[side];
+      list[gone.index[side]] = last;
+      edges_[last].index[edges_[last].planes[0] == gone.planes[side] ? 0 : 1] = gone.index[side];
       list.pop_back();
     }
   }
@@ -83,10 +84,8 @@ class wavefront {
     to.ends[end] = v;
     to.third[end] = third;
     to.inside[end] = inside;
-    vertices_[v].edges[slot(position(vertices_[v], third), inside)] = e;
+    vertices_[v].edges[slot(static_cast<int>(position(vertices_[v].planes, third)), inside)] = e;
   }
-
-  static int position(const vertex& v, plane_id p) { return static_cast<int>(std::find(v.planes.begin(), v.planes.end(), p) - v.planes.begin()); }
 
   /// The vertex of three planes (ascending), or -1. Three planes meet once, so there is at most one.
   int find_vertex(const triple& planes) const {
@@ -100,13 +99,13 @@ class wavefront {
     return found == by_line_.end() ? std::span<const int>() : std::span<const int>(found->second);
   }
 
+  plane_id planes() const { return static_cast<plane_id>(by_plane_.size()); }
   /// The edges of a facet.
   std::span<const int> of_facet(plane_id p) const { return by_plane_[p]; }
 
   const std::vector<vertex>& vertices() const { return vertices_; }
   const std::vector<edge>& edges() const { return edges_; }
   vertex& at_vertex(int v) { return vertices_[v]; }
-  edge& at_edge(int e) { return edges_[e]; }
   bool empty() const { return by_corner_.empty(); }
 
  private:
@@ -119,6 +118,12 @@ class wavefront {
   std::vector<std::vector<int>> by_plane_;
   std::unordered_map<std::uint64_t, std::vector<int>> by_line_;
   std::unordered_map<triple, int, plane_hash> by_corner_;
+};
+
+/// What an event has changed in a wavefront.
+struct front_changes {
+  std::vector<int> edges;  ///< that have another end than before, or are new
+  int first_new;           ///< the number of the first new one
 };
 
 }  // namespace osteon

@@ -24,6 +24,7 @@ template <graded_kernel K>
 class perturbed {
  public:
   static constexpr bool exact = K::exact;
+  static constexpr bool breaks_ties = true;  ///< see tie_breaking_kernel
   static constexpr int dimension = K::dimension;
   using corner = corner_planes<dimension>;
   using support = meeting_planes<dimension>;
