@@ -143,23 +143,6 @@ void expect_same(const plane::skeleton& a, const plane::skeleton& b) {
   }
 }
 
-/// Gives everything away: everything may be everywhere at any time.
-struct anywhere {
-  struct path {
-    box start;
-  };
-  box whole;
-  const box& frame() const { return whole; }
-  double speed() const { return 1; }
-  bool is_stationary(plane::line_id) const { return false; }
-  interval time(const triple&) const { return {0, std::numeric_limits<double>::infinity()}; }
-  interval sharp_time(const triple& q) const { return time(q); }
-  box place(const triple&) const { return whole; }
-  path begin(plane::line_id, plane::line_id, const triple*) const { return {whole}; }
-  box swept(const path&, double, double) const { return whole; }
-};
-static_assert(plane::motion_bounds<anywhere>);
-
 TEST(planar_kernels, agree) {
   for (const shape s : simple_shapes)
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -173,14 +156,39 @@ TEST(planar_kernels, agree) {
         const auto filtered_one = oracles::raw_skeleton(oracles::planar_default_kernel(p), p);
         const auto k = perturbed(make_sqrt_kernel(lines));
         expect_same(filtered_one, oracles::raw_skeleton(k, p));
-        if (size_of(region) <= 40) {
-          const anywhere motion{plane::vertex_enclosures(lines, p.points).frame()};
-          expect_same(filtered_one, plane::propagation(k, p.boundary, motion).run());
-        }
+        if (size_of(region) <= 40) expect_same(filtered_one, plane::straight_skeleton(k, p.boundary));
         const auto rational_one = oracles::raw_skeleton(perturbed(filtered(lines, make_rational_kernel(lines))), p);
         if (s == shape::general || s == shape::holes) expect_same(filtered_one, rational_one);
       }
     }
+}
+
+// A kernel alone, without bounds on motion: also where vertices move for ever, or edges stand still.
+TEST(planar_kernels, need_no_bounds_on_motion) {
+  int refused = 0;
+  for (const shape s : simple_shapes)
+    for (const weighting w : {weighting::none, weighting::some_zero})
+      for (const bool outside : {false, true})
+        for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+          const auto sample_ = sample(s, w, seed);
+          if (size_of(sample_.points) > 40) continue;
+          SCOPED_TRACE(sample_.name + (outside ? ", outside" : ""));
+          const auto p = plane::make_polygon(sample_.rings, outside);
+          const auto k = oracles::planar_default_kernel(p);
+          const plane::vertex_enclosures motion(oracles::lines_in(p), p.points, outside);
+          plane::skeleton bounded;
+          try {
+            bounded = plane::straight_skeleton(k, p.boundary, motion, {.outside = outside});
+          } catch (const unsupported_error&) {
+            EXPECT_THROW(plane::straight_skeleton(k, p.boundary, {.outside = outside}), unsupported_error);
+            ++refused;
+            continue;
+          }
+          expect_same(bounded, plane::straight_skeleton(k, p.boundary, {.outside = outside}));
+        }
+  EXPECT_GT(refused, 3);
+  const auto p = plane::make_polygon(plane::make_rings<integer>({{{0, 0}, {4, 0}, {0, 4}}}));
+  EXPECT_THROW(plane::straight_skeleton(oracles::planar_default_kernel(p), p.boundary, {.until = 1}), unsupported_error);
 }
 
 TEST(planar_kernels, doubles_agree_or_say_so) {

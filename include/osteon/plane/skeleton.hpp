@@ -6,11 +6,19 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "osteon/core/kernel.hpp"
 
 namespace osteon::plane {
+
+/// How a skeleton is computed.
+struct skeleton_options {
+  bool outside = false;  ///< the interior is not bounded: vertices may move for ever
+  /// When to stop, in the unit of time of the bounds on motion; needs bounds. Nothing later is computed; vertices that live then have no target.
+  double until = std::numeric_limits<double>::infinity();
+};
 
 /// What an event does to the wavefront: an edge vanishes, or a vertex cuts an edge in two.
 enum class event_class : std::uint8_t { edge, split };
