@@ -49,7 +49,8 @@ class polyhedron {
   int vertex_at(int point) const;
   /// Returns how many edges meet in a vertex. *Throws* input_error(bad_index).
   int degree(int vertex) const;
-  /// Returns the plane of a facet as given. *Throws* input_error(bad_index).
+  /// Returns the plane of a facet as given (the first, if it was cut). *Throws*
+  /// input_error(bad_index).
   int plane_of(int facet) const;
   /// Returns the facets as given that lie in a plane, ascending. *Throws* input_error(bad_index).
   std::vector<int> facets_in(int plane) const;
