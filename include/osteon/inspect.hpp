@@ -29,12 +29,6 @@ struct split_count {
   bool exact;  ///< false: there are at least so many
 };
 
-/// A candidate that was drawn.
-struct drawn_split {
-  split_tree tree;
-  bool valid;  ///< no two edges of a facet cross
-};
-
 /// The tree that is preferred.
 struct preferred_split {
   split_tree tree;
@@ -91,8 +85,9 @@ class vertex_splits {
   /// Returns how many trees are valid: exactly up to ten thousand, else from below. *Throws* as
   /// for_each.
   split_count count() const;
-  /// Draws candidates, each with the same chance. *Throws* as for_each.
-  std::vector<drawn_split> sample(int number, std::uint64_t seed) const;
+  /// Calls visit(tree, valid) for candidates that are drawn, each with the same chance. In a tree
+  /// that is not valid two edges of a facet cross. *Throws* as for_each.
+  void sample(int number, std::uint64_t seed, const std::function<void(const split_tree&, bool valid)>& visit) const;
   /// Returns the preferred valid tree; nothing for a whole vertex, and where no tree is valid,
   /// which happens where three planes share an edge's line.
   std::optional<preferred_split> preferred(split_preference p) const;
