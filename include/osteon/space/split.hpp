@@ -19,6 +19,7 @@
 #include "osteon/core/kernel.hpp"
 #include "osteon/core/planes.hpp"
 #include "osteon/space/corner.hpp"
+#include "osteon/space/preference.hpp"
 #include "osteon/space/segment.hpp"
 #include "osteon/space/split_tree.hpp"
 #include "osteon/space/triangulations.hpp"
