@@ -23,7 +23,7 @@ INDEX = r"(?:static_cast<[\w:]+>\(\s*|std::size_t\()?"  # of a list; the names i
 Once = collections.namedtuple("Once", "name file patterns copies")
 ONCE = [
     Once("union-find", "include/osteon/core/disjoint_sets.hpp",
-         [rf"while \((\w+)\[{INDEX}(\w+)\)?\] != \2\)", r"\.(\w+)\]\.\1\b", rf"if \((\w+)\[{INDEX}(\w+)\)?\] != \2\) \1\["],
+         [rf"while \((\w+)\[{INDEX}(\w+)\)?\] != \2\)", r"\.(\w+) = [\w.\[\]]*\.\1\]\.\1\b", rf"if \((\w+)\[{INDEX}(\w+)\)?\] != \2\) \1\["],
          ["while (parent[a] != a) a = parent[a] = parent[parent[a]];", "while (up[static_cast<std::size_t>(x)] != x) x = up[static_cast<std::size_t>(x)];",
           "sheet = s[sheet].polygon = s[s[sheet].polygon].polygon;", "if (up[x] != x) up[x] = root(up[x]);", "while (up_[std::size_t(x)] != x) x = up_[std::size_t(x)];"]),
     Once("omit", "include/osteon/core/planes.hpp",
@@ -42,8 +42,8 @@ ONCE = [
     Once("splitmix64", "include/osteon/core/random.hpp", [r"(?i)0xBF58476D1CE4E5B9", r"(?i)0x94D049BB133111EB"],
          ["x = (x ^ x >> 30U) * 0xbf58476d1ce4e5b9U;", "x = (x ^ x >> 27U) * 0x94D049BB133111EBU;"]),
     Once("the turn of three points", "include/osteon/input/geometry.hpp",
-         [r"\((\w+)(\[0\]|\.x\b) - (\w+)\2\) \* \((\w+)(\[1\]|\.y\b) - \3\5\) - ", r"\((\w+)(\[x\]) - (\w+)\2\) \* \((\w+)(\[y\]|\.y) - \3\[y\](?: \* \w+\.w)?\) - ",
-          r"\((\w+)(\[1\]|\.y\b) - (\w+)\2\) \* \((\w+)(\[0\]|\.x\b) - \3\5\)"],
+         [r"\((\w+)(\[0\]|\.x\b) - (\w+)\2\) \* \((?!\1\b)(\w+)(\[1\]|\.y\b) - \3\5\) - ", r"\((\w+)(\[x\]) - (\w+)\2\) \* \((\w+)(\[y\]|\.y) - \3\[y\](?: \* \w+\.w)?\) - ",
+          r"\((\w+)(\[1\]|\.y\b) - (\w+)\2\) \* \((?!\1\b)(\w+)(\[0\]|\.x\b) - \3\5\)"],
          ["return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);", "(q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)",
           "(b[x] - a[x]) * (p.y - a[y] * p.w) - (b[y] - a[y]) * (p.x - a[x] * p.w)"]),
     Once("a separation bound", "kernels/osteon/evaluate/separation_bound.hpp",
