@@ -35,9 +35,13 @@
 namespace osteon::fuzz {
 namespace {
 
-// Keeps a run below a second under sanitizers.
-constexpr std::size_t most_facets = 60;
-constexpr std::size_t most_edges = 110;
+// Keeps a run below a second under sanitizers, and most runs at a few milliseconds.
+struct size_limits {
+  std::size_t facets;  // of what is changed further
+  std::size_t edges;
+};
+constexpr size_limits large = {60, 110};
+constexpr size_limits small = {11, 36};
 constexpr std::size_t most_degree = 8;
 
 void check_contraction(const boundary& b, const skeleton& raw, const contracted_skeleton& c) {
@@ -165,8 +169,9 @@ skeleton compute(const effort& e, const solid<integer>& s, const skeleton_option
 void run(decoder d) {
   const effort e(d);
   const unsigned plan = d.byte();
+  const size_limits& limits = e.small() ? small : large;
   const skeleton_options o = {static_cast<split_preference>(plan & 3U), static_cast<saddle_rule>(plan >> 2U & 3U)};
-  decoded shape = decode_shape(d, most_facets, e.small());
+  decoded shape = decode_shape(d, limits.facets, e.small());
   if (!shape.valid && (plan & 128U) == 0) {  // nearly always only because facets are bent
     try {
       solid_builder<integer>::triangulate(shape.mesh);
@@ -184,7 +189,7 @@ void run(decoder d) {
   }
   std::size_t degree = 0;
   for (const auto& v : s->boundary.vertices) degree = std::max(degree, v.facets.size());
-  if (s->boundary.edges.size() > most_edges || degree > most_degree) {
+  if (s->boundary.edges.size() > limits.edges || degree > most_degree) {
     tally::add("too large");
     return;
   }
