@@ -22,5 +22,6 @@ if $keep; then
 fi
 export OSTEON_FUZZ_TALLY=1
 export ASAN_OPTIONS="malloc_context_size=2:quarantine_size_mb=32:${ASAN_OPTIONS:-}"  # three times as fast; a replay has long traces
-exec nice -n 10 "$build/fuzz/fuzz_$target" "${limits[@]}" -len_control=0 -max_total_time="${3:-1200}" -print_final_stats=1 -artifact_prefix="$failed/" \
+# Leaks are looked for once, at the end.
+exec nice -n 10 "$build/fuzz/fuzz_$target" "${limits[@]}" -detect_leaks=0 -len_control=0 -max_total_time="${3:-1200}" -print_final_stats=1 -artifact_prefix="$failed/" \
   "$found" "${seeds[@]}"

@@ -15,9 +15,11 @@
 
 #include "check.hpp"
 #include "decode.hpp"
-#include "osteon/input/mesh_repair.hpp"
+#include "effort.hpp"
+#include "gmp_memory.hpp"
 #include "osteon/core/error.hpp"
 #include "osteon/evaluate/volume.hpp"
+#include "osteon/input/mesh_repair.hpp"
 #include "osteon/input/solid.hpp"
 #include "osteon/kernel/double.hpp"
 #include "osteon/kernel/filtered.hpp"
@@ -34,9 +36,13 @@
 namespace osteon::fuzz {
 namespace {
 
-// Keeps a run below a second under sanitizers.
-constexpr std::size_t most_facets = 60;
-constexpr std::size_t most_edges = 110;
+// Keeps a run below a second under sanitizers, and most runs at a few milliseconds.
+struct size_limits {
+  std::size_t facets;  // of what is changed further
+  std::size_t edges;
+};
+constexpr size_limits large = {60, 110};
+constexpr size_limits small = {11, 36};
 constexpr std::size_t most_degree = 8;
 
 void check_contraction(const boundary& b, const skeleton& raw, const contracted_skeleton& c) {
@@ -141,35 +147,32 @@ void require_same(const skeleton& x, const skeleton& y) {
             "a filter changes no node");
 }
 
-skeleton compute(const solid<integer>& s, const skeleton_options& o, unsigned kernels) {
+// The laws that are not looked at for every input (effort.hpp).
+enum dear_law : unsigned { unfiltered = 1, in_doubles, volumes };
+
+skeleton compute(const effort& e, const solid<integer>& s, const skeleton_options& o, unsigned kernels) {
   const std::span<const moving_plane<integer>> planes(s.planes);
-  switch (kernels) {
-    case 1:
-      return certified(perturbed(filtered(planes, make_rational_kernel(planes))), s, o);
-    case 2:
-      return certified(perturbed(filtered(planes, make_sqrt_kernel(planes)), true), s, o);
-    case 3: {
-      const skeleton raw = certified(perturbed(filtered(planes, make_sqrt_kernel(planes))), s, o);
-      if (s.boundary.edges.size() <= 40) require_same(raw, straight_skeleton(perturbed(make_sqrt_kernel(planes)), s.boundary, o));
-      return raw;
+  if (e.law(in_doubles)) {
+    try {
+      straight_skeleton(make_double_kernel(planes), s.boundary, o);
+    } catch (const undecided_error&) {
+    } catch (const unsupported_error&) {
     }
-    case 4:
-      try {
-        straight_skeleton(make_double_kernel(planes), s.boundary, o);
-      } catch (const undecided_error&) {
-      } catch (const unsupported_error&) {
-      }
-      break;
-    default:
-      break;
   }
-  return certified(perturbed(filtered(planes, make_sqrt_kernel(planes))), s, o);
+  if (kernels == 1) return certified(perturbed(filtered(planes, make_rational_kernel(planes))), s, o);
+  const bool mirrored = kernels == 2;
+  skeleton raw = certified(perturbed(filtered(planes, make_sqrt_kernel(planes)), mirrored), s, o);
+  if (e.law(unfiltered) && s.boundary.edges.size() <= 40)
+    require_same(raw, straight_skeleton(perturbed(make_sqrt_kernel(planes), mirrored), s.boundary, o));
+  return raw;
 }
 
 void run(decoder d) {
+  const effort e(d);
   const unsigned plan = d.byte();
+  const size_limits& limits = e.small() ? small : large;
   const skeleton_options o = {static_cast<split_preference>(plan & 3U), static_cast<saddle_rule>(plan >> 2U & 3U)};
-  decoded shape = decode_shape(d, most_facets);
+  decoded shape = decode_shape(d, limits.facets, e.small());
   if (!shape.valid && (plan & 128U) == 0) {  // nearly always only because facets are bent
     try {
       triangulate_facets(shape.mesh);
@@ -187,14 +190,14 @@ void run(decoder d) {
   }
   std::size_t degree = 0;
   for (const auto& v : s->boundary.vertices) degree = std::max(degree, v.facets.size());
-  if (s->boundary.edges.size() > most_edges || degree > most_degree) {
+  if (s->boundary.edges.size() > limits.edges || degree > most_degree) {
     tally::add("too large");
     return;
   }
 
   skeleton raw;
   try {
-    raw = compute(*s, o, plan >> 4U & 7U);
+    raw = compute(e, *s, o, plan >> 4U & 7U);
   } catch (const degenerate_error&) {
     throw;
   } catch (const unsupported_error&) {
@@ -203,7 +206,7 @@ void run(decoder d) {
     return;
   }
   const bool greatest = o.prefer == split_preference::convex && o.saddle == saddle_rule::convex;
-  check_volumes(*s, raw, shape.voxels && greatest ? &*shape.voxels : nullptr);
+  if (e.law(volumes)) check_volumes(*s, raw, shape.voxels && greatest ? &*shape.voxels : nullptr);
   tally::add("a skeleton");
 }
 

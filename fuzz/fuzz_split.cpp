@@ -16,6 +16,8 @@
 
 #include "check.hpp"
 #include "decode.hpp"
+#include "effort.hpp"
+#include "gmp_memory.hpp"
 #include "osteon/core/error.hpp"
 #include "osteon/input/geometry.hpp"
 #include "osteon/kernel/filtered.hpp"
@@ -35,10 +37,10 @@ using vector = vec<integer>;
 using planes = std::vector<moving_plane<integer>>;
 
 // Edges outwards, counter-clockwise seen from above; the solid is below.
-std::vector<vector> decode_rays(decoder& d) {
+std::vector<vector> decode_rays(decoder& d, bool small) {
   static constexpr std::array<std::array<long, 2>, 16> circle = {
       {{1, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 1}, {-1, 2}, {-1, 1}, {-2, 1}, {-1, 0}, {-2, -1}, {-1, -1}, {-1, -2}, {0, -1}, {1, -2}, {1, -1}, {2, -1}}};
-  const int degree = 4 + static_cast<int>(d.between(0, 4));
+  const int degree = 4 + static_cast<int>(d.between(0, small ? 2 : 4));
   const bool fine = d.flag();  // any directions instead of the sixteen
   const int steep = std::array{1, 3, 12, 127}[d.index(4)];
   std::vector<vector> rays;
@@ -192,7 +194,6 @@ void check_embedding(const std::vector<vector>& rays, const cone& c, const ratio
   });
 }
 
-// The number of valid trees.
 // The tree that is taken is a valid one, and none is worth more.
 template <kernel<3> K>
 void check_chosen(const K& k, const cone& c, const splitter<K>& s, const std::vector<split_tree>& all) {
@@ -215,8 +216,44 @@ void check_chosen(const K& k, const cone& c, const splitter<K>& s, const std::ve
   require(drawn.has_value() == !all.empty() && (!drawn || is_valid(drawn->tree)), "the tree that is drawn is valid");
 }
 
+// The dynamic program finds the valid trees, once each.
 template <kernel<3> K>
-std::size_t check(const K& k, const cone& c) {
+void check_search(const K& k, const cone& c, const splitter<K>& s, const std::vector<split_tree>& all,
+                  const std::set<std::vector<std::pair<int, int>>>& candidates) {
+  split_search<K, edge_count, std::uint64_t> search(s.signs(), edge_count(true));
+  std::set<searched_split::diagonals> found;
+  search.for_each([&](const auto& diagonals) {
+    if (c.repeated) {
+      const auto t = s.tree(diagonals);
+      if (!t || !s.valid(*t)) return false;
+    }
+    require(found.insert(diagonals).second, "the search finds every tree once");
+    return false;
+  });
+  require(found.size() == all.size() && std::all_of(all.begin(), all.end(), [&found](const auto& t) { return found.contains(t.operations); }),
+          "the search finds the valid trees");
+  const auto is_valid = [&found](const auto& diagonals) { return found.contains(diagonals); };
+  for (const std::uint64_t steps : {1U, 5U, 25U}) {
+    const searched_split hasty = search.best(is_valid, steps);
+    require(hasty.end == search_end::unknown || (hasty.end == search_end::none ? found.empty() : found.contains(hasty.tree)),
+            "a hasty search gives up or finds a valid tree");
+  }
+  if (search.count() > 0) {
+    std::uint64_t drawn = c.corner.facets.size();
+    const auto below = [&drawn](std::uint64_t n) { return (drawn = drawn * 6364136223846793005U + 1442695040888963407U) % n; };
+    require(c.repeated || candidates.contains(search.sample(below)), "a drawn tree is a candidate");
+  }
+  const auto alike = [&c](bool convex) { return convex == c.corner.convex.front(); };
+  if (std::all_of(c.corner.convex.begin(), c.corner.convex.end(), alike) && !all.empty() && !c.repeated)
+    require(only_split(k, c.corner) == all.front().operations, "a corner of one kind splits fast");
+}
+
+// The laws that are not looked at for every input (effort.hpp).
+enum dear_law : unsigned { embedding = 1, volumes, chosen_trees };
+
+// The number of valid trees.
+template <kernel<3> K>
+std::size_t check(const effort& e, const K& k, const cone& c) {
   const splitter<K> s(k, c.corner);
   const auto candidates = s.candidates();
   const auto all = s.all();
@@ -233,35 +270,7 @@ std::size_t check(const K& k, const cone& c) {
   if (std::all_of(c.corner.convex.begin(), c.corner.convex.end(), [](bool b) { return b; }) && !c.collinear)
     require(all.size() == 1, "a convex corner has one valid split");
 
-  {
-    split_search<K, edge_count, std::uint64_t> search(s.signs(), edge_count(true));
-    std::set<searched_split::diagonals> found;
-    search.for_each([&](const auto& diagonals) {
-      if (c.repeated) {
-        const auto t = s.tree(diagonals);
-        if (!t || !s.valid(*t)) return false;
-      }
-      require(found.insert(diagonals).second, "the search finds every tree once");
-      return false;
-    });
-    require(found.size() == all.size() && std::all_of(all.begin(), all.end(), [&found](const auto& t) { return found.contains(t.operations); }),
-            "the search finds the valid trees");
-    const auto is_valid = [&found](const auto& diagonals) { return found.contains(diagonals); };
-    for (const std::uint64_t steps : {1U, 5U, 25U}) {
-      const searched_split hasty = search.best(is_valid, steps);
-      require(hasty.end == search_end::unknown || (hasty.end == search_end::none ? found.empty() : found.contains(hasty.tree)),
-              "a hasty search gives up or finds a valid tree");
-    }
-    if (search.count() > 0) {
-      std::uint64_t drawn = c.corner.facets.size();
-      const auto below = [&drawn](std::uint64_t n) { return (drawn = drawn * 6364136223846793005U + 1442695040888963407U) % n; };
-      require(c.repeated || lists.contains(search.sample(below)), "a drawn tree is a candidate");
-    }
-    const auto alike = [&c](bool convex) { return convex == c.corner.convex.front(); };
-    if (std::all_of(c.corner.convex.begin(), c.corner.convex.end(), alike) && !all.empty() && !c.repeated)
-      require(only_split(k, c.corner) == all.front().operations, "a corner of one kind splits fast");
-  }
-
+  check_search(k, c, s, all, lists);
   for (const auto p : {split_preference::convex, split_preference::reflex, split_preference::min_volume, split_preference::max_volume}) {
     const auto best = s.best(p);
     require(best.has_value() == !all.empty(), "the best tree is there iff any is");
@@ -280,14 +289,15 @@ std::size_t check(const K& k, const cone& c) {
       }
     }
   }
-  check_volumes(k, c, all);
-  check_chosen(k, c, s, all);
+  if (e.law(volumes)) check_volumes(k, c, all);
+  if (e.law(chosen_trees)) check_chosen(k, c, s, all);
   return all.size();
 }
 
 void run(decoder d) {
+  const effort e(d);
   const unsigned mode = d.byte();
-  const auto rays = decode_rays(d);
+  const auto rays = decode_rays(d, e.small());
   const auto c = make_cone(rays);
   if (!c) {
     tally::add("neighbours are coplanar");
@@ -299,13 +309,13 @@ void run(decoder d) {
   }
   const std::span<const moving_plane<integer>> p(c->planes);
   std::size_t number = 0;
-  if (mode % 8 == 6 && c->corner.degree() <= 7 && !c->repeated) check_embedding(rays, *c, make_rational_kernel(p));
+  if (e.law(embedding) && c->corner.degree() <= 7 && !c->repeated) check_embedding(rays, *c, make_rational_kernel(p));
   if (mode % 4 == 1)
-    number = check(perturbed(make_sqrt_kernel(p)), *c);
+    number = check(e, perturbed(make_sqrt_kernel(p)), *c);
   else if (mode % 4 == 2)
-    number = check(perturbed(filtered(p, make_rational_kernel(p))), *c);
+    number = check(e, perturbed(filtered(p, make_rational_kernel(p))), *c);
   else
-    number = check(perturbed(filtered(p, make_sqrt_kernel(p)), mode % 4 == 3), *c);
+    number = check(e, perturbed(filtered(p, make_sqrt_kernel(p)), mode % 4 == 3), *c);
   tally::add(number == 0 ? "no valid split" : number == 1 ? "one valid split" : "many valid splits");
   if (c->collinear) tally::add("(with three planes through an edge)");
   if (c->repeated) tally::add("(with a repeated plane)");

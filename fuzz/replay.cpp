@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Runs files, and all files of folders, through a fuzz target, without a fuzzer. Each is named before it runs.
+/// Runs files, and all files of folders, through a fuzz target, without a fuzzer; with all laws (effort.hpp). Each is named before it runs.
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -31,6 +32,7 @@ int main(int argc, char** argv) {
     }
   }
   std::sort(files.begin(), files.end());
+  setenv("OSTEON_FUZZ_ALL_LAWS", "1", 1);
   for (const auto& file : files) {
     std::printf("%s\n", file.string().c_str());
     std::fflush(stdout);

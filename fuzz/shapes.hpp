@@ -59,17 +59,18 @@ inline models::polygon star_polygon(decoder& d, int most) {
   return result;
 }
 
-inline models::builder model(decoder& d) {
+// Small ones are of the least size or one more.
+inline models::builder model(decoder& d, bool small) {
   const auto& kinds = models::kinds();
   const auto& kind = kinds[d.index(kinds.size())];
-  const int size = static_cast<int>(d.between(kind.least_size, std::max(kind.least_size, kind.default_size)));
+  const int size = static_cast<int>(d.between(kind.least_size, small ? kind.least_size + 1 : std::max(kind.least_size, kind.default_size)));
   return kind.make(size, d.byte());
 }
 
-inline models::voxels decode_voxels(decoder& d) {
-  const int x = static_cast<int>(d.between(1, 4));
-  const int y = static_cast<int>(d.between(1, 3));
-  models::voxels v({x, y, static_cast<int>(d.between(1, 3))});
+inline models::voxels decode_voxels(decoder& d, bool small) {
+  const int x = static_cast<int>(d.between(1, small ? 3 : 4));
+  const int y = static_cast<int>(d.between(1, small ? 2 : 3));
+  models::voxels v({x, y, static_cast<int>(d.between(1, small ? 2 : 3))});
   unsigned bits = 0;
   int left = 0;
   for (int i = 0; i < v.size()[0]; ++i)
@@ -87,8 +88,8 @@ inline models::voxels decode_voxels(decoder& d) {
 }
 
 /// Two pyramids on one rim of any heights.
-inline models::builder bipyramid(decoder& d) {
-  const auto base = star_polygon(d, 8);
+inline models::builder bipyramid(decoder& d, bool small) {
+  const auto base = star_polygon(d, small ? 5 : 8);
   const long top = d.between(1, 12);
   const long low = -d.between(1, 12);
   std::vector<models::point> rim;
@@ -104,7 +105,7 @@ inline models::builder bipyramid(decoder& d) {
 }
 
 /// The common part of a box and up to nine half-spaces around the origin.
-inline shape convex(decoder& d) {
+inline shape convex(decoder& d, bool small) {
   struct half_space {
     vec<integer> n;
     integer d;
@@ -116,7 +117,7 @@ inline shape convex(decoder& d) {
       h.n[axis] = side;
       all.push_back(h);
     }
-  for (long more = d.between(0, 9); more > 0; --more) {
+  for (long more = d.between(0, small ? 3 : 9); more > 0; --more) {
     half_space h;
     const long most = d.one_in(4) ? 100 : 2;
     for (auto& x : h.n) x = d.between(-most, most);
@@ -168,8 +169,8 @@ inline shape convex(decoder& d) {
 }
 
 /// A polyline for models::between_profiles, above zero.
-inline models::builder profiles(decoder& d) {
-  const long n = d.between(1, 5);
+inline models::builder profiles(decoder& d, bool small) {
+  const long n = d.between(1, small ? 3 : 5);
   std::vector<std::array<long, 2>> f;
   std::vector<std::array<long, 2>> g;
   long x = 0;
@@ -182,9 +183,9 @@ inline models::builder profiles(decoder& d) {
 }
 
 /// A block whose top, and perhaps bottom, is a triangulated grid of any heights.
-inline models::builder terrain(decoder& d) {
-  const long w = d.between(1, 3);
-  const long h = d.between(1, 3);
+inline models::builder terrain(decoder& d, bool small) {
+  const long w = d.between(1, small ? 2 : 3);
+  const long h = d.between(1, small ? 1 : 3);
   const bool both = d.flag();
   const long steep = d.flag() ? 12 : 3;
   const auto points = static_cast<std::size_t>((w + 1) * (h + 1));
@@ -222,38 +223,38 @@ inline models::builder terrain(decoder& d) {
   return b;
 }
 
-inline decoded family(decoder& d) {
+inline decoded family(decoder& d, bool small) {
   decoded result;
   switch (d.between(0, 8)) {
     case 0:
-      result.voxels = decode_voxels(d);
+      result.voxels = decode_voxels(d, small);
       result.mesh = result.voxels->surface().take<integer>();
       break;
     case 1: {
-      const auto base = star_polygon(d, 9);
+      const auto base = star_polygon(d, small ? 6 : 9);
       result.mesh = models::prism(base, d.between(1, 24)).take<integer>();
       break;
     }
     case 2: {
-      const auto base = star_polygon(d, 9);
+      const auto base = star_polygon(d, small ? 6 : 9);
       result.mesh = models::pyramid(base, d.between(1, 24)).take<integer>();
       break;
     }
     case 3:
-      result.mesh = bipyramid(d).take<integer>();
+      result.mesh = bipyramid(d, small).take<integer>();
       break;
     case 4:
-      result.mesh = convex(d);
+      result.mesh = convex(d, small);
       break;
     case 5:
-      result.mesh = profiles(d).take<integer>();
+      result.mesh = profiles(d, small).take<integer>();
       break;
     case 6:
     case 7:
-      result.mesh = terrain(d).take<integer>();
+      result.mesh = terrain(d, small).take<integer>();
       break;
     default:
-      result.mesh = model(d).take<integer>();
+      result.mesh = model(d, small).take<integer>();
   }
   return result;
 }
@@ -333,10 +334,10 @@ inline void append(shape& m, const shape& other, const vec<integer>& shift) {
 }
 
 /// A second body beside the first, or a box around it, which makes it a void.
-inline void add_body(shape& m, decoder& d) {
+inline void add_body(shape& m, decoder& d, bool small) {
   const auto [lo, hi] = bounds(m);
   if (d.flag()) {
-    const shape other = family(d).mesh;
+    const shape other = family(d, small).mesh;
     const auto [from, to] = bounds(other);
     append(m, other, {hi[0] - from[0] + d.between(1, 9), integer(d.between(-9, 9)), integer(d.between(-9, 9))});
     return;
@@ -399,15 +400,15 @@ inline void keep(const shape& m) {
   }
 }
 
-/// A shape and what was done to it; of at most `most` facets.
-inline decoded decode_shape(decoder& d, std::size_t most) {
+/// A shape and what was done to it; of at most `most` facets. Small ones have at most about thirty edges.
+inline decoded decode_shape(decoder& d, std::size_t most, bool small = false) {
   const unsigned changes = d.byte();
-  decoded result = family(d);
+  decoded result = family(d, small);
   shape& m = result.mesh;
   const auto wanted = [&](unsigned bit) { return (changes >> bit & 1U) != 0 && m.facets.size() <= most; };
   if (changes != 0) result.voxels.reset();
   if (wanted(0)) transform(m, d);
-  if (wanted(1) && wanted(2)) add_body(m, d);
+  if (wanted(1) && wanted(2)) add_body(m, d, small);
   if (wanted(3) && wanted(4)) cut_edge(m, d);
   if (wanted(5) && wanted(6)) {
     turn(m, d);
