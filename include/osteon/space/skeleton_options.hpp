@@ -22,8 +22,8 @@ enum class saddle_rule : std::uint8_t { convex, reflex, slower, faster };
 struct skeleton_options {
   split_preference prefer = split_preference::convex;
   saddle_rule saddle = saddle_rule::convex;
-  /// Where given, nothing is preferred: splits (see random_split) and outcomes of saddles are drawn,
-  /// the same ones for the same number.
+  /// Where given, nothing is preferred: splits (see random_split) and outcomes of saddles are
+  /// drawn, the same ones for the same number.
   std::optional<std::uint64_t> explore = std::nullopt;
 };
 
