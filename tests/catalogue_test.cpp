@@ -101,7 +101,7 @@ TEST(Catalogue, EveryEventIsLookedFor) {
   for (cell small = 1; small < 16; ++small)
     for (const auto& [boundary, e] : catalogue::get().events(small)) {
       const auto corner = [&](unsigned omitted) { return corner_at(e.before, omitted, (small >> omitted & 1U) != 0); };
-      const auto line = [&](unsigned p, place w) { return piece_at(e.before, pairs[p], label(pairs[p], w, small, false)); };
+      const auto line = [&](unsigned p, section w) { return piece_at(e.before, pairs[p], label(pairs[p], w, small, false)); };
       bool found = false;
       for (unsigned p = 0; p < 6; ++p) {
         const auto at = line(p, segment);

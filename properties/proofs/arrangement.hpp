@@ -93,14 +93,14 @@ inline void prove_local_picture(proof& p) {
         const line& n = lines[at];
         const auto on_k = four.vertex_without(n.l, t);
         const auto on_l = four.vertex_without(n.k, t);
-        for (const place w : places) {
+        for (const section w : sections) {
           const auto x = w == local::segment ? four_planes::middle(on_k, on_l)
                                              : (w == local::far_k ? four_planes::beyond(on_k, on_l) : four_planes::beyond(on_l, on_k));
           cell label = 0;
           for (const unsigned q : {n.k, n.l})
             if (four.height(q, x, t) > 0) label |= bit(q);
           // The catalogue names a ray by the vertex that it begins at before the event.
-          const place name = w == local::segment || t < 0 ? w : (w == local::far_k ? local::far_l : local::far_k);
+          const section name = w == local::segment || t < 0 ? w : (w == local::far_k ? local::far_l : local::far_k);
           p.check(label == moment{0, tiny}.around(n, w) && label == local::label(local::pairs[at], name, small, t > 0), where);
         }
       }

@@ -46,8 +46,8 @@ inline std::pair<int, int> edges_at_vertex(const moment& m, unsigned q) {
   int reflex = 0;
   for (const line& n : lines) {
     if (n.k != q && n.l != q) continue;
-    const place beyond = n.l == q ? local::far_k : local::far_l;  // the other piece at this vertex is the segment
-    for (const place w : {beyond, local::segment}) {
+    const section beyond = n.l == q ? local::far_k : local::far_l;  // the other piece at this vertex is the segment
+    for (const section w : {beyond, local::segment}) {
       convex += m.edge(n, w) == piece::convex ? 1 : 0;
       reflex += m.edge(n, w) == piece::reflex ? 1 : 0;
     }
@@ -94,7 +94,7 @@ inline appearance look_at(const moment& m) {
   std::array<bool, planes> has_edge{};
   std::size_t at = 0;
   for (const line& n : lines)
-    for (const place w : places) {
+    for (const section w : sections) {
       seen.first[at] = m.edge(n, w);
       if (seen.first[at++] != piece::none) has_edge[n.i] = has_edge[n.j] = true;
     }
@@ -133,7 +133,7 @@ inline candidates looked_for(const moment& m) {
   const auto has = [&](unsigned i, unsigned j, auto kind) {
     for (const line& n : lines)
       if ((n.i == i && n.j == j) || (n.i == j && n.j == i))
-        return std::any_of(places.begin(), places.end(), [&](place w) { return kind(m.edge(n, w)); });
+        return std::any_of(sections.begin(), sections.end(), [&](section w) { return kind(m.edge(n, w)); });
     return false;
   };
   const auto reflex = [](piece e) { return e == piece::reflex; };

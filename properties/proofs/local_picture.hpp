@@ -3,7 +3,7 @@
 
 /// \file
 /// The neighbourhood of a point where four moving planes meet, from the definitions of design 02 and without the code of
-/// osteon/catalogue.hpp, from which only the vocabulary is taken (cell, state, piece, place).
+/// osteon/catalogue.hpp, from which only the vocabulary is taken (cell, state, piece, section).
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ namespace osteon::proofs {
 
 using local::cell;
 using local::piece;
-using local::place;
+using local::section;
 using local::state;
 
 inline constexpr unsigned planes = 4;
@@ -73,7 +73,7 @@ inline std::array<line, 6> all_lines() {
   return result;
 }
 inline const std::array<line, 6> lines = all_lines();
-inline constexpr std::array<place, 3> places = {local::far_k, local::segment, local::far_l};
+inline constexpr std::array<section, 3> sections = {local::far_k, local::segment, local::far_l};
 
 /// The solid around the point shortly before or after the event: `tiny` is the small tetrahedron of the moment, its complement does
 /// not exist. The vertex of the planes other than q lies on the tetrahedron's side of q.
@@ -102,12 +102,12 @@ struct moment {
   }
 
   /// The cells around a piece of a line, less its two planes' bits. The ray beyond (i,j,k) lies on the other side of k.
-  cell around(const line& n, place w) const {
+  cell around(const line& n, section w) const {
     const cell here = tiny & (bit(n.k) | bit(n.l));
     return w == local::segment ? here : here ^ bit(w == local::far_k ? n.k : n.l);
   }
   /// A convex edge has one solid cell of four around it, a reflex edge three; two are a facet that passes.
-  piece edge(const line& n, place w) const {
+  piece edge(const line& n, section w) const {
     const cell c = around(n, w);
     int count = 0;
     for (const cell d : {c, c | bit(n.i), c | bit(n.j), c | bit(n.i) | bit(n.j)}) count += solid_at(f, d) ? 1 : 0;

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// What certificates of both dimensions share: a demand that holds or ends the check with a refutation.
+/// What certificates of both dimensions share: a demand that holds or ends the check with a
+/// refutation.
 
 #include <concepts>
 #include <cstddef>
@@ -10,7 +11,8 @@
 
 namespace osteon {
 
-/// The first rule that a skeleton breaks, and where. `Rule` enumerates the rules of one certificate.
+/// The first rule that a skeleton breaks, and where. `Rule` enumerates the rules of one
+/// certificate.
 template <class Rule>
 struct broken_rule {
   Rule broken;

@@ -2,13 +2,15 @@
 #pragma once
 
 /// \file
-/// Local events, in the plane and in space: what may happen where D + 1 planes of dimension D meet in a point (docs/theory/events.md).
-/// The planes cut the point's neighbourhood into cells, and an event replaces the one small cell by its opposite. Which cells are solid
-/// before the event is given; whether the new cell is solid is decided by two rules: the solid stays monotone, and no facet appears from
-/// nowhere.
+/// Local events, in the plane and in space: what may happen where D + 1 planes of dimension D meet
+/// in a point (docs/theory/events.md). The planes cut the point's neighbourhood into cells, and an
+/// event replaces the one small cell by its opposite. Which cells are solid before the event is
+/// given; whether the new cell is solid is decided by two rules: the solid stays monotone, and no
+/// facet appears from nowhere.
 ///
-/// Notation. `Planes` is D + 1: 3 lines in the plane, 4 planes in space. A cell is a number whose bit q says "inside plane q". `small` is
-/// the cell that vanishes: the small triangle or tetrahedron before the event. Its complement, the `created` cell, exists only after it.
+/// Notation. `Planes` is D + 1: 3 lines in the plane, 4 planes in space. A cell is a number whose
+/// bit q says "inside plane q". `small` is the cell that vanishes: the small triangle or
+/// tetrahedron before the event. Its complement, the `created` cell, exists only after it.
 
 #include <array>
 #include <cstdint>
@@ -41,7 +43,8 @@ constexpr bool monotone(state f, cell missing) {
   return true;
 }
 
-/// Returns whether a facet on plane q reaches the common point: f changes across the plane between two cells that exist.
+/// Returns whether a facet on plane q reaches the common point: f changes across the plane between
+/// two cells that exist.
 template <unsigned Planes>
 constexpr bool involved(state f, unsigned q, cell missing) {
   for (cell c = 0; c <= every_plane<Planes>; ++c) {
@@ -51,7 +54,8 @@ constexpr bool involved(state f, unsigned q, cell missing) {
   return false;
 }
 
-/// Returns whether the created cell makes a facet of its own on some plane: one that no neighbour across another plane continues.
+/// Returns whether the created cell makes a facet of its own on some plane: one that no neighbour
+/// across another plane continues.
 template <unsigned Planes>
 constexpr bool makes_facet_from_nowhere(state after, cell created) {
   for (unsigned q = 0; q < Planes; ++q) {
@@ -81,8 +85,9 @@ struct event {
   bool may_fill;   ///< the created cell may become solid
 };
 
-/// Calls visit(event) for every local event in which all planes are involved, in ascending order of small cells and states. An event with
-/// two outcomes is ambiguous; none has no outcome (tests/catalogue_test.cpp, tests/planar_catalogue_test.cpp).
+/// Calls visit(event) for every local event in which all planes are involved, in ascending order of
+/// small cells and states. An event with two outcomes is ambiguous; none has no outcome
+/// (tests/catalogue_test.cpp, tests/planar_catalogue_test.cpp).
 /// *Complexity* 2^(2^Planes) steps for each small cell.
 template <unsigned Planes, class Visit>
 constexpr void for_each_event(Visit visit) {

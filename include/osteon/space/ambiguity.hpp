@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// How many ways there are to split a vertex (thesis 3.6, 3.7), counted without listing where there are too many.
+/// How many ways there are to split a vertex (thesis 3.6, 3.7), counted without listing where there
+/// are too many.
 
 #include <algorithm>
 #include <cstddef>
@@ -19,15 +20,19 @@
 
 namespace osteon {
 
-/// The number of valid trees of a vertex is the product of the factors, or at least that where it is not exact.
+/// The number of valid trees of a vertex is the product of the factors, or at least that where it
+/// is not exact.
 struct split_count {
   std::vector<std::uint64_t> factors;
   bool exact;
 };
 
-/// A lower bound for the number of valid trees, from one of them. The facets below a diagonal of the tree may be joined in several ways; ways below
-/// diagonals that have no facets in common combine freely, for whether a tree is valid is decided for each facet's border alone, and no border sees
-/// two of them. Tries all ways below the diagonals of four to seven facets. Requires facets in different planes.
+/// Returns the factors of a lower bound for the number of valid trees, from one of them. The facets
+/// below a diagonal of the tree may be joined in several ways; ways below diagonals that have no
+/// facets in common combine freely, for whether a tree is valid is decided for each facet's border
+/// alone, and no border belongs to two of them. Tries all ways below the diagonals of four to seven
+/// facets.
+/// *Requires* a valid tree, and facets in different planes.
 template <kernel<3> K>
 std::vector<std::uint64_t> independent_ways(const splitter<K>& s, const split_tree& t) {
   struct part {
@@ -53,7 +58,8 @@ std::vector<std::uint64_t> independent_ways(const splitter<K>& s, const split_tr
     });
     if (p.ways > 1) parts.push_back(p);
   }
-  // Disjoint parts with the greatest product, by their last facets; a product may round, it only chooses.
+  // Disjoint parts with the greatest product, by their last facets; a product may round, it only
+  // chooses.
   std::sort(parts.begin(), parts.end(), [](const part& x, const part& y) { return x.last < y.last; });
   std::vector<double> most = {1};  // of the first parts
   for (part& p : parts) {
@@ -72,8 +78,9 @@ std::vector<std::uint64_t> independent_ways(const splitter<K>& s, const split_tr
   return factors;
 }
 
-/// Counts the valid trees of a vertex: exactly where there are at most `most_listed`, else from below. A vertex that needs no split has one. Errors
-/// as for preferred_split.
+/// Returns the number of valid trees of a vertex: exactly where there are at most `most_listed`,
+/// else from below. A vertex that needs no split has one.
+/// *Throws* as preferred_split.
 template <kernel<3> K>
 split_count count_splits(const K& k, const boundary& b, int vertex, std::uint64_t most_listed = 10'000) {
   const auto& v = b.vertices[static_cast<std::size_t>(vertex)];

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// What the parts of a solid's certificate share: the rules, Boolean functions of the cells around a point, and signs that must not be zero.
+/// What the parts of a solid's certificate share: the rules, Boolean functions of the cells around
+/// a point, and signs that must not be zero.
 
 #include <array>
 #include <cstddef>
@@ -17,8 +18,10 @@
 
 namespace osteon {
 
-/// What a skeleton can break, in the order in which it is checked (space/verify.hpp tells what each rule demands).
+/// What a skeleton can break, in the order in which it is checked (space/verify.hpp tells what each
+/// rule demands).
 enum class rule : std::uint8_t { structure, order, incidence, border, link, nowhere, count, overlap, floor, contraction };
+/// The names of the rules, as documents and messages have them.
 inline constexpr std::array<std::string_view, 10> rule_names = {"structure", "order", "incidence", "border", "link",
                                                                 "nowhere",   "count", "overlap",   "floor",  "contraction"};
 
@@ -27,7 +30,8 @@ using refutation = broken_rule<rule>;
 
 namespace certificate {
 
-/// A Boolean function of n <= 4 bits, as its set of cells: bit c is its value where the arguments are the bits of c.
+/// A Boolean function of n <= 4 bits, as its set of cells: bit c is its value where the arguments
+/// are the bits of c.
 using function = std::uint32_t;
 
 /// Returns the function's value at a cell.
@@ -75,7 +79,8 @@ constexpr bend edge_at(function f, unsigned i, unsigned j, unsigned rest) {
   return one ? bend::reflex : bend::convex;
 }
 
-/// Returns how the two planes of a corner other than number t (0..2) meet inside or outside plane t.
+/// Returns how the two planes of a corner other than number t (0..2) meet inside or outside plane
+/// t.
 constexpr bend bend_at(std::uint8_t corner, unsigned t, bool inside) {
   return edge_at(corner, t == 0 ? 1 : 0, t == 2 ? 1 : 2, inside ? 1U << t : 0U);
 }

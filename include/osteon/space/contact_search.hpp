@@ -20,16 +20,19 @@
 
 namespace osteon {
 
-/// The candidates of a wavefront in order of time. A candidate is a meeting, nothing more: it never becomes stale.
+/// The candidates of a wavefront in order of time. A candidate is a meeting, nothing more: it never
+/// becomes stale.
 template <kernel<3> K>
 class contact_search {
  public:
   using meeting = typename K::meeting;
 
+  /// Follows the wavefront as it changes.
   contact_search(const K& k, const wavefront& front) : k_(k), front_(front), now_(k.start()), queue_(later{&k}) {}
 
   /// Looks for candidates of the whole wavefront, just after the start.
-  /// *Complexity* a meeting for each candidate; reflex vertices look at all planes, reflex edges at each other.
+  /// *Complexity* a meeting for each candidate; reflex vertices look at all planes, reflex edges at
+  /// each other.
   void start() {
     for (std::size_t e = 0; e < front_.edges().size(); ++e) watch_collapse(static_cast<int>(e));
     for (std::size_t v = 0; v < front_.vertices().size(); ++v) watch_contacts(static_cast<int>(v));
@@ -85,10 +88,11 @@ class contact_search {
     consider(m, std::nullopt);
   }
 
-  // A vertex reaches a plane while its own edges live: only where the plane has an edge with one of its facets or, at a
-  // reflex vertex, where the four planes enclose a tetrahedron; convex and majority corners nowhere
-  // (tests/catalogue_test.cpp, EveryEventIsLookedFor). Beyond the first collapse of one of its edges the vertex does not
-  // live, or that edge has changed and the vertex is watched again.
+  // A vertex reaches a plane while its own edges live: only where the plane has an edge with one of
+  // its facets or, at a reflex vertex, where the four planes enclose a tetrahedron; convex and
+  // majority corners nowhere (tests/catalogue_test.cpp, EveryEventIsLookedFor). Beyond the first
+  // collapse of one of its edges the vertex does not live, or that edge has changed and the vertex
+  // is watched again.
   void watch_contacts(int v) {
     const auto& vertex = front_.vertices()[v];
     if (!vertex.alive || !makes_contacts(v)) return;
@@ -132,7 +136,8 @@ class contact_search {
     return corner != local::convex && corner != local::majority;
   }
 
-  // Whether the inner sides of four planes make a tetrahedron (the lambdas have one sign), or may make one where the kernel says zero.
+  // Whether the inner sides of four planes make a tetrahedron (the lambdas have one sign), or may
+  // make one where the kernel says zero.
   bool enclose(const quadruple& q) const {
     std::array<bool, 2> seen{};
     for (unsigned r = 0; r < 4; ++r) {
@@ -143,7 +148,8 @@ class contact_search {
     return true;
   }
 
-  // Two reflex edges cross, which ends a tetrahedron between them; each is watched until it collapses or changes.
+  // Two reflex edges cross, which ends a tetrahedron between them; each is watched until it
+  // collapses or changes.
   void watch_crossings(int e) {
     const auto& edge = front_.edges()[e];
     if (!edge.alive || edge.convex) return;

@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// From the raw skeleton of the perturbed solid to the exact skeleton of the true one (docs/theory/degeneracy.md): what has come
-/// together in the limit becomes one, what has vanished goes.
+/// From the raw skeleton of the perturbed solid to the exact skeleton of the true one
+/// (docs/theory/degeneracy.md): what has come together in the limit becomes one, what has vanished
+/// goes.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,7 @@
 #include "osteon/core/planes.hpp"
 #include "osteon/space/boundary.hpp"
 #include "osteon/space/contracted_skeleton.hpp"
-#include "osteon/space/limit_places.hpp"
+#include "osteon/space/limit_points.hpp"
 #include "osteon/space/skeleton.hpp"
 #include "osteon/space/stretch_location.hpp"
 
@@ -29,10 +30,12 @@ namespace osteon {
 template <unperturbed_kernel<3> K>
 class contraction {
  public:
-  contraction(const K& k, const boundary& solid, const skeleton& raw) : solid_(solid), raw_(raw), places_(k, solid, raw), location_(k, places_) {}
+  /// `raw`: a skeleton of the solid by a kernel that perturbs k.
+  contraction(const K& k, const boundary& solid, const skeleton& raw) : solid_(solid), raw_(raw), points_(k, solid, raw), location_(k, points_) {}
 
   /// Contracts and returns the exact skeleton.
-  /// *Complexity* linear plus, for nodes of one moment, their pairs, and for arcs the nodes within their time.
+  /// *Complexity* linear plus, for nodes of one moment, their pairs, and for arcs the nodes within
+  /// their time.
   contracted_skeleton run() {
     subdivide_arcs();
     find_pieces();
@@ -46,12 +49,14 @@ class contraction {
   }
 
  private:
-  // What lies on a stretch: the raw polygons, by representative, and the pieces of sheets, with multiplicity.
+  // What lies on a stretch: the raw polygons, by representative, and the pieces of sheets, with
+  // multiplicity.
   struct content {
     std::map<int, int> raw;
     std::map<int, int> pieces;
   };
-  // A connected part of a polygon: a raw polygon may hang together by what has no width in the limit.
+  // A connected part of a polygon: a raw polygon may hang together by what has no width in the
+  // limit.
   struct piece {
     int representative;  // of the polygon's sheets
     std::array<plane_id, 2> facets;
@@ -62,11 +67,11 @@ class contraction {
 
   void subdivide_arcs() {
     for (const auto& a : raw_.arcs) {
-      const int from = places_.of_node(a.source);
-      const int to = places_.of_node(a.target);
+      const int from = points_.of_node(a.source);
+      const int to = points_.of_node(a.target);
       if (from == to) continue;
       std::vector<int> stops = {from};
-      for (const int p : places_.between(a.planes, from, to)) stops.push_back(p);
+      for (const int p : points_.between(a.planes, from, to)) stops.push_back(p);
       stops.push_back(to);
       for (std::size_t i = 1; i < stops.size(); ++i) {
         auto& polygons = stretches_[std::minmax(stops[i - 1], stops[i])].raw;
@@ -87,7 +92,7 @@ class contraction {
     for (const auto& s : raw_.sheets)
       if (s.input_edge >= 0) {
         const auto& e = solid_.edges[s.input_edge];
-        floors[s.representative].emplace_back(e.ends[0], e.ends[1]);  // vertices come first among nodes and places
+        floors[s.representative].emplace_back(e.ends[0], e.ends[1]);  // vertices come first among nodes and points
       }
     for (const auto& [polygon, stretches] : borders)
       for (auto& part : connected_parts(polygon, stretches, floors[polygon])) {
@@ -96,14 +101,15 @@ class contraction {
       }
   }
 
-  // Groups border stretches that hang together, over edges of the solid too; a group inside another one is its hole.
+  // Groups border stretches that hang together, over edges of the solid too; a group inside another
+  // one is its hole.
   std::vector<piece> connected_parts(int polygon, const std::vector<stretch>& borders, const std::vector<stretch>& floors) {
-    std::vector<int> ends;  // places, ascending
+    std::vector<int> ends;  // points, ascending
     for (const auto* list : {&borders, &floors})
       for (const auto& [x, y] : *list) ends.insert(ends.end(), {x, y});
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    const auto number = [&ends](int place) { return static_cast<int>(std::lower_bound(ends.begin(), ends.end(), place) - ends.begin()); };
+    const auto number = [&ends](int point) { return static_cast<int>(std::lower_bound(ends.begin(), ends.end(), point) - ends.begin()); };
     disjoint_sets connected(ends.size());
     for (const auto* list : {&borders, &floors})
       for (const auto& [x, y] : *list) connected.unite(number(x), number(y));
@@ -136,13 +142,14 @@ class contraction {
     std::erase_if(parts, [](const piece& g) { return g.borders.empty(); });
   }
 
-  // The perturbation may leave an arc just beside a sheet that contains it in the limit, or a spike of no width along
-  // an arc. So what a piece has to do with a stretch is decided anew: a border (once), inside (on both sides), nothing.
+  // The perturbation may leave an arc just beside a sheet that contains it in the limit, or a spike
+  // of no width along an arc. So what a piece has to do with a stretch is decided anew: a border
+  // (once), inside (on both sides), nothing.
   void decide_stretches() {
     for (int i = 0; i < static_cast<int>(pieces_.size()); ++i)
       for (const stretch& e : pieces_[i].borders) stretches_[e].pieces[i] = 1;
     for (auto& [ends, on] : stretches_) {
-      const std::vector<plane_id> through = places_.planes_through(ends);
+      const std::vector<plane_id> through = points_.planes_through(ends);
       for (const plane_id a : through)
         for (const plane_id b : through) {
           const auto found = a < b ? pieces_of_.find({a, b}) : pieces_of_.end();
@@ -158,14 +165,15 @@ class contraction {
 
   // ---- sheets
 
-  // Pieces between the same two facets that touch are one sheet; where only two cells meet there is no arc.
+  // Pieces between the same two facets that touch are one sheet; where only two cells meet there is
+  // no arc.
   void join_sheets() {
     joined_ = disjoint_sets(pieces_.size());
-    std::map<std::pair<int, std::array<plane_id, 2>>, int> at_place;
+    std::map<std::pair<int, std::array<plane_id, 2>>, int> at_point;
     for (auto at = stretches_.begin(); at != stretches_.end();) {
       const auto& [ends, on] = *at;
       for (const auto& [i, times] : on.pieces)
-        for (const int p : {ends.first, ends.second}) joined_.unite(i, at_place.emplace(std::pair(p, pieces_[i].facets), i).first->second);
+        for (const int p : {ends.first, ends.second}) joined_.unite(i, at_point.emplace(std::pair(p, pieces_[i].facets), i).first->second);
       at = cells_at(on).size() >= 3 ? std::next(at) : stretches_.erase(at);
     }
   }
@@ -180,13 +188,13 @@ class contraction {
   // ---- the result
 
   void collect_nodes() {
-    std::vector<bool> used(places_.size());
+    std::vector<bool> used(points_.size());
     for (const auto& [ends, on] : stretches_) used[ends.first] = used[ends.second] = true;
-    node_of_.assign(places_.size(), -1);
-    for (int p = 0; p < places_.size(); ++p) {
-      if (!used[p] && places_[p].moment) continue;
+    node_of_.assign(points_.size(), -1);
+    for (int p = 0; p < points_.size(); ++p) {
+      if (!used[p] && points_[p].moment) continue;
       node_of_[p] = static_cast<int>(result_.nodes.size());
-      result_.nodes.push_back({places_.nodes_at(p), {}});
+      result_.nodes.push_back({points_.nodes_at(p), {}});
     }
   }
 
@@ -219,13 +227,13 @@ class contraction {
 
   const boundary& solid_;
   const skeleton& raw_;
-  limit_places<K> places_;
+  limit_points<K> points_;
   stretch_location<K> location_;
   std::map<stretch, content> stretches_;
   std::vector<piece> pieces_;
   std::map<std::array<plane_id, 2>, std::vector<int>> pieces_of_;  // by facets
   disjoint_sets joined_;                                           // of pieces
-  std::vector<int> node_of_;                                       // by place
+  std::vector<int> node_of_;                                       // by point
   std::vector<int> sheet_of_;                                      // by piece
   contracted_skeleton result_;
 };

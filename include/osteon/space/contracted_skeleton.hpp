@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// The exact straight skeleton of a polyhedron as a cell complex: flat arrays, integer ids, no coordinates.
+/// The exact straight skeleton of a polyhedron as a cell complex: flat arrays, integer ids, no
+/// coordinates.
 
 #include <array>
 #include <vector>
@@ -11,8 +12,9 @@
 
 namespace osteon {
 
-/// The exact skeleton. Arcs and sheets of any degree. Arcs are where at least three cells meet; a sheet is a maximal connected part
-/// of the common border of two cells, so an arc may lie within it, and it may be pinched at an arc or a node.
+/// The exact skeleton. Arcs and sheets of any degree. Arcs are where at least three cells meet; a
+/// sheet is a maximal connected part of the common border of two cells, so an arc may lie within
+/// it, and it may be pinched at an arc or a node.
 struct contracted_skeleton {
   /// A place in the limit.
   struct node {

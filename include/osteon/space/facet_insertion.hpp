@@ -2,11 +2,11 @@
 #pragma once
 
 /// \file
-/// Facets that run along an edge at once. Where a third plane through a vertex contains the line of one of its edges
-/// (a straight angle in one facet is enough), the vertex may have no valid split that stays near: the third facet
-/// pushes itself between the two facets of the edge along its whole length, at infinite speed. That is done here,
-/// before the vertices are split: the edge becomes two edges at the same place, and the facet joins the ring at its
-/// other end.
+/// Facet insertions. Where a third plane through a vertex contains the line of one of its edges (a
+/// straight angle in one facet is enough), the vertex may have no valid split that stays near: the
+/// third facet pushes itself between the two facets of the edge along its whole length, at infinite
+/// speed. That is done here, before the vertices are split: the edge becomes two edges on the same
+/// line, and the facet joins the ring around its other end.
 
 #include <algorithm>
 #include <cstddef>
@@ -18,18 +18,20 @@
 
 namespace osteon {
 
-/// One way to do so: facet `plane` between the two facets of the edge number `side` at a vertex.
+/// An insertion: facet `plane` between the two facets of an edge.
 struct facet_insertion {
   int vertex;
-  std::size_t side;
-  plane_id plane;
-  bool convex_first;   ///< the edge between the facet before and the flooding one
-  bool convex_second;  ///< the edge between the flooding facet and the one after
+  std::size_t side;    ///< the edge's position at the vertex
+  plane_id plane;      ///< that contains its line
+  bool convex_first;   ///< the edge between the facet before and the inserted one
+  bool convex_second;  ///< the edge between the inserted facet and the one after
 };
 
-/// All floods at a vertex that leave the flooding facet a strip of positive width: its two borders are parallel, and
-/// just after the start each lies on the facet's side of the other. Decided in the plane across the edge; the fourth
-/// plane of the predicates only cuts it out.
+/// Returns all insertions at a vertex that leave the inserted facet a strip of positive width: its
+/// two borders are parallel, and just after the start each lies on the facet's side of the other.
+/// That is decided in the plane across the edge; the fourth plane of the predicates only cuts it
+/// out.
+/// *Complexity* quadratic in the vertex's degree.
 template <kernel<3> K>
 std::vector<facet_insertion> facet_insertions_at(const K& k, const boundary& b, int vertex) {
   std::vector<facet_insertion> result;
@@ -56,7 +58,8 @@ std::vector<facet_insertion> facet_insertions_at(const K& k, const boundary& b, 
   return result;
 }
 
-/// The boundary after a flood; the edge of before keeps its number for its first half, the second half is the last edge.
+/// Returns the boundary after an insertion. The edge keeps its number for its first half, the
+/// second half is the last edge. Nothing moves: both lie where the edge was.
 inline boundary after_insertion(boundary b, const facet_insertion& f) {
   const int e = b.vertices[static_cast<std::size_t>(f.vertex)].edges[f.side];
   const auto old = b.edges[static_cast<std::size_t>(e)];

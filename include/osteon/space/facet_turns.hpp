@@ -8,12 +8,12 @@
 /// Second rule: a facet's border turns by less than half a turn in all.
 ///
 /// Third rule, for unit speeds: the convex edges of a facet follow each other. Why: at time 1 the
-/// surface passes each line normal to facet f's plane at moments t(h), h the height over that plane,
-/// whose slope is 1 in the cell of f and less in all others. So it enters that cell once, and the
-/// facet meets each ray from the foot of the vertex in one interval. Every other plane has the foot
-/// on its outer side. Hence the border runs round the foot one way along convex edges and the other
-/// way along reflex ones, and runs back only beyond the facet's own wedge, at the ends. (With
-/// weights it holds for facets whose n / speed is a corner of the convex hull of all.)
+/// surface passes each line normal to facet f's plane at moments t(h), h the height over that
+/// plane, whose slope is 1 in the cell of f and less in all others. So it enters that cell once,
+/// and the facet meets each ray from the foot of the vertex in one interval. Every other plane has
+/// the foot on its outer side. Hence the border runs round the foot one way along convex edges and
+/// the other way along reflex ones, and runs back only beyond the facet's own wedge, at the ends.
+/// (With weights it holds for facets whose n / speed is a corner of the convex hull of all.)
 
 #include <array>
 #include <optional>
@@ -42,10 +42,12 @@ struct borders_below {
   progresses borders;
 };
 
-/// The turns of all facets of one corner. Facets that share a plane may join; their borders are not followed.
+/// The turns of all facets of one corner. Facets that share a plane may join; their borders are not
+/// followed.
 template <kernel<3> K>
 class facet_turns {
  public:
+  /// *Complexity* quadratic in the degree.
   explicit facet_turns(const corner_signs<K>& signs) : s_(signs), k_(signs.degree()) {
     for (int f = 0; f < k_; ++f) {
       int first = 0;
@@ -64,13 +66,15 @@ class facet_turns {
   /// Returns the progress of the facets i and i + 1 where only their common ray is below.
   progresses along_ray(int i, bool convex) const { return {{{0, next_phase(i, 0, convex)}, {0, next_phase(i + 1, 0, convex)}}}; }
 
-  /// Returns whether two parts of facet m's border, each read from its own end, make one that obeys the rules. `between`: see wraps.
+  /// Returns whether two parts of facet m's border, each read from its own end, make one that obeys
+  /// the rules. `between`: see wraps.
   bool meet(int m, int between, const border_progress& left, const border_progress& right) const {
     return phases_meet(left.phase, right.phase) && left.turns + right.turns + between == whole_turns(m);
   }
 
-  /// Returns the progress of i and j where triangle (i,m,j) joins what is below its sides, or nothing where that breaks a rule: that of the nine
-  /// corners, or one of the two about borders. `convex`: the edge (i,j).
+  /// Returns the progress of i and j where triangle (i,m,j) joins what is below its sides, or
+  /// nothing where that breaks a rule: that of the nine corners, or one of the two about borders.
+  /// `convex`: the edge (i,j).
   std::optional<progresses> join(int i, int m, int j, bool convex, const borders_below& left, const borders_below& right) const {
     const bool up = s_.orientation(i, m, j) == sign::positive;
     const int inside = (left.convex == up ? 1 : 0) + (right.convex == up ? 1 : 0) + (convex == up ? 1 : 0);
@@ -97,11 +101,13 @@ class facet_turns {
     return phase == 0 ? 0 : 2;
   }
 
-  // Whether the third rule holds for a border of which two parts have been read, each from its own end.
+  // Whether the third rule holds for a border of which two parts have been read, each from its own
+  // end.
   static bool phases_meet(int x, int y) { return x == 0 || y == 0 || (x == 1 && y == 1); }
 
-  // Directions on the border of facet f, which runs counter-clockwise from its edge with f + 1 to the one with f - 1: along n_f x n_x where the
-  // edge with x is convex, against it where it is reflex. The side on which it lies of the first one; that one's own is zero.
+  // Directions on the border of facet f, which runs counter-clockwise from its edge with f + 1 to
+  // the one with f - 1: along n_f x n_x where the edge with x is convex, against it where it is
+  // reflex. The side on which it lies of the first one; that one's own is zero.
   sign direction(int f, int x, bool convex) const {
     const int first = (f + 1) % k_;
     if (x == first) return sign::zero;
@@ -109,7 +115,8 @@ class facet_turns {
     return convex == s_.ray_is_convex(f) ? s : -s;
   }
 
-  // How often the turn (of less than half a turn) from the edge with x to that with y passes the first direction: -1, 0 or 1.
+  // How often the turn (of less than half a turn) from the edge with x to that with y passes the
+  // first direction: -1, 0 or 1.
   int wraps(int f, int x, int y, bool x_convex, bool y_convex) const {
     if (shares_[f]) return 0;
     const sign turn = x_convex == y_convex ? s_.orientation(f, x, y) : -s_.orientation(f, x, y);

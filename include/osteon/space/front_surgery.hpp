@@ -23,19 +23,24 @@
 
 namespace osteon {
 
-/// A wavefront, and the nodes, arcs and sheets that it has traced until now. Moving vertices trace arcs and moving edges sheets; each
-/// begins at the newest node.
+/// A wavefront, and the nodes, arcs and sheets that it has traced until now. Moving vertices trace
+/// arcs and moving edges sheets; each begins at the newest node.
 template <kernel<3> K>
 class front_surgery {
  public:
+  /// An empty wavefront of so many planes.
   front_surgery(const K& k, plane_id planes) : k_(k), front_(planes) {}
 
+  /// The wavefront as it is now.
   const wavefront& front() const { return front_; }
+  /// What it has traced until now.
   const skeleton& traced() const { return result_; }
 
+  /// Adds a node: a vertex of the solid or an event.
   void add_node(const skeleton::node& n) { result_.nodes.push_back(n); }
 
-  /// Adds a sheet between two facets (ascending) and returns its number. `input_edge`: the edge of the solid that sweeps it, or -1.
+  /// Adds a sheet between two facets (ascending) and returns its number. `input_edge`: the edge of
+  /// the solid that sweeps it, or -1.
   int add_sheet(const std::array<plane_id, 2>& facets, int input_edge) {
     result_.sheets.push_back({facets, input_edge, -1, {}});
     return polygons_.add();
@@ -49,7 +54,8 @@ class front_surgery {
     return front_.add_edge({planes, {-1, -1}, {false, false}, convex}, sheet);
   }
 
-  /// Adds a vertex that begins at the newest node and returns its number. Its corner is given here, or found by set_sheets.
+  /// Adds a vertex that begins at the newest node and returns its number. Its corner is given here,
+  /// or found by set_sheets.
   int add_vertex(const triple& planes, std::uint8_t corner = 0) {
     const triple ascending = sorted(planes);
     if (front_.find_vertex(ascending) >= 0) broken_invariant<K>("three planes meet in one vertex at most");
@@ -60,7 +66,8 @@ class front_surgery {
     return front_.add_vertex(ascending, corner, arc);
   }
 
-  /// Makes a vertex the end of an edge; near it the edge lies inside or outside the vertex's third plane.
+  /// Makes a vertex the end of an edge; near it the edge lies inside or outside the vertex's third
+  /// plane.
   void join(int edge, int vertex, plane_id third, bool inside) { front_.attach(edge, end_towards(edge, third, inside), vertex, third, inside); }
 
   /// Names the sheets beside a vertex's arc, and its corner.
@@ -74,7 +81,8 @@ class front_surgery {
     if (arc.sheets.size() != 3 && arc.sheets.size() != 6) broken_invariant<K>("a vertex has three edges, or six at a majority corner");
   }
 
-  /// Replaces what surrounds an event by what follows it. `fill`: the cell that the event creates is solid.
+  /// Replaces what surrounds an event by what follows it. `fill`: the cell that the event creates
+  /// is solid.
   front_changes replace(const local_state& s, bool fill) {
     const local::state after = local::successor(*s.event, fill);
     record_event(s, fill);
@@ -159,8 +167,8 @@ class front_surgery {
   // Gives an edge the end of another one.
   void take_end(int edge, const wavefront::edge& from, int end) { front_.attach(edge, end, from.ends[end], from.third[end], from.inside[end]); }
 
-  // Rebuilds one line. Along it lie far_k, (i,j,k), the segment, (i,j,l), far_l before, and far_k, (i,j,l), the
-  // segment, (i,j,k), far_l after; where a vertex is missing the edge runs through.
+  // Rebuilds one line. Along it lie far_k, (i,j,k), the segment, (i,j,l), far_l before, and far_k,
+  // (i,j,l), the segment, (i,j,k), far_l after; where a vertex is missing the edge runs through.
   void relink(const transition& t, unsigned p, std::vector<int>& changed) {
     const auto& pair = local::pairs[p];
     const auto& pieces = t.at.edges[p];
@@ -205,14 +213,15 @@ class front_surgery {
     }
   }
 
-  // Joins an edge, which covers a piece of the line of pair p after the event, to the new vertex of the line and plane number r.
-  void join_piece(const transition& t, unsigned p, int e, local::place w, unsigned r) {
+  // Joins an edge, which covers a piece of the line of pair p after the event, to the new vertex of
+  // the line and plane number r.
+  void join_piece(const transition& t, unsigned p, int e, local::section w, unsigned r) {
     const auto& pair = local::pairs[p];
     join(e, t.made[r == pair.k ? pair.l : pair.k], t.at.planes[r], side(t, p, w, r));
   }
 
   // Whether a piece of the line of pair p lies inside plane number r after the event.
-  static bool side(const transition& t, unsigned p, local::place w, unsigned r) {
+  static bool side(const transition& t, unsigned p, local::section w, unsigned r) {
     return local::is_inside(local::label(local::pairs[p], w, t.at.small, true), r);
   }
 

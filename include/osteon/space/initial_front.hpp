@@ -55,7 +55,8 @@ class initial_front {
  private:
   static std::array<plane_id, 2> planes_of(const boundary::edge& e) { return sorted(e.planes); }
 
-  // One moving edge for each edge of the solid; one for several that become one where facets of one plane join.
+  // One moving edge for each edge of the solid; one for several that become one where facets of one
+  // plane join.
   void add_input_edges() {
     disjoint_sets same(solid_.edges.size());  // the first edge represents
     for (std::size_t v = 0; v < split_.trees.size(); ++v)

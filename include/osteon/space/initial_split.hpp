@@ -41,7 +41,8 @@ class initial_split {
 
   /// Splits all vertices.
   /// *Throws* unsupported_error where a vertex cannot be split, and the errors of preferred_split.
-  /// *Complexity* that of preferred_split for each vertex; facet insertions ask for several splits more.
+  /// *Complexity* that of preferred_split for each vertex; facet insertions ask for several splits
+  /// more.
   split_solid run() {
     boundary& solid = result_.solid;
     result_.origin.resize(solid.edges.size());
@@ -86,7 +87,8 @@ class initial_split {
     return options_.explore ? random_split(k_, c, drawn_number(*options_.explore, v)) : preferred_split(k_, c, options_.prefer);
   }
 
-  // The fewest insertions after which a vertex has a split, if possible such that the edges' other ends have one too.
+  // The fewest insertions after which a vertex has a split, if possible such that the edges' other
+  // ends have one too.
   std::vector<facet_insertion> insertions_for(int v) const {
     for (const bool calm : {true, false})
       for (int most = 1; most <= most_insertions; ++most)
@@ -99,8 +101,8 @@ class initial_split {
                             " cannot be split, because a third facet contains the line of one of its edges; hint: move that facet a little");
   }
 
-  // So many insertions, one after the other, after which a vertex has a valid split and, if `calm`, the other ends have one too; empty where
-  // there are none.
+  // So many insertions, one after the other, after which a vertex has a valid split and, if `calm`,
+  // the other ends have one too; empty where there are none.
   std::vector<facet_insertion> find_insertions(const boundary& b, int v, int number, bool calm) const {
     for (const facet_insertion& f : facet_insertions_at(k_, b, v)) {
       const boundary next = after_insertion(b, f);

@@ -24,19 +24,21 @@ namespace osteon {
 struct local_state {
   quadruple planes;                         ///< that meet, ascending
   local::cell small;                        ///< the cell that vanishes
-  std::array<std::array<int, 3>, 6> edges;  ///< by pair of planes and place on their line: the edge that covers the piece, or -1
-  const local::event* event;
+  std::array<std::array<int, 3>, 6> edges;  ///< by pair of planes and section of their line: the edge there, or -1
+  const local::event* event;                ///< in the catalogue
 };
 
-/// Reads local states off a wavefront. A meeting whose local state is not there is no event, now or ever.
+/// Reads local states off a wavefront. A meeting whose local state is not there is no event, now or
+/// ever.
 template <kernel<3> K>
 class local_states {
  public:
+  /// Follows the wavefront as it changes.
   local_states(const K& k, const wavefront& front) : k_(k), front_(front) {}
 
   /// Returns the local state at a meeting, or nothing where one of the planes' facets is not there.
-  /// *Requires* that the wavefront is that of the meeting's moment. *Complexity* linear in the edges on the six lines and, for
-  /// a plane that has no edge near, in those of its facet.
+  /// *Requires* that the wavefront is that of the meeting's moment. *Complexity* linear in the
+  /// edges on the six lines and, for a plane that has no edge near, in those of its facet.
   std::optional<local_state> at(const typename K::meeting& m) const {
     local_state s{k_.planes(m), 0, {}, nullptr};
     std::array<std::vector<int>, 6> near;
@@ -77,7 +79,7 @@ class local_states {
     s.edges[p].fill(-1);
     for (unsigned w = 0; w < 3; ++w)
       for (const int e : near)
-        if (covers(s.planes, local::pairs[p], e, local::label(local::pairs[p], static_cast<local::place>(w), s.small, false))) {
+        if (covers(s.planes, local::pairs[p], e, local::label(local::pairs[p], static_cast<local::section>(w), s.small, false))) {
           if (s.edges[p][w] >= 0) broken_invariant<K>("a piece of a line lies on one edge at most");
           s.edges[p][w] = e;
           key |= local::piece_bits(p, w, front_.edges()[e].convex ? local::piece::convex : local::piece::reflex);
@@ -100,8 +102,8 @@ class local_states {
     return result;
   }
 
-  // Whether an edge through the meeting point contains the piece with the given label: each end at the point must lie
-  // beyond.
+  // Whether an edge through the meeting point contains the piece with the given label: each end at
+  // the point must lie beyond.
   bool covers(const quadruple& q, const local::pair_of_planes& p, int e, local::cell label) const {
     const auto& edge = front_.edges()[e];
     for (int s = 0; s < 2; ++s)

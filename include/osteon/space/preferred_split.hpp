@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// The split that is taken: one of a kind where all edges are convex or all reflex, else the best of all.
+/// The split that is taken: one of a kind where all edges are convex or all reflex, else the best
+/// of all.
 
 #include <algorithm>
 #include <cstddef>
@@ -24,9 +25,12 @@
 
 namespace osteon {
 
-/// The only valid tree of a corner whose edges are all convex, or all reflex (thesis 3.8), as its diagonals, ascending: facets join in random order,
-/// each taking the vertices that it cuts off (reflex: fills) by flips. Expected cost O(k log k), a constant number of predicates for each facet.
-/// Requires degree >= 4.
+/// Returns the only valid tree of a corner whose edges are all convex, or all reflex (thesis 3.8),
+/// as its diagonals, ascending. Facets join in random order, each taking the vertices that it cuts
+/// off (reflex: fills) by flips.
+/// *Requires* degree >= 4 and facets in different planes. *Throws* degenerate_error where the
+/// kernel answers zero. *Complexity* expected O(k log k), a constant number of predicates for each
+/// facet.
 template <kernel<3> K>
 std::vector<std::pair<int, int>> only_split(const K& k, const corner& c) {
   const int n = c.degree();
@@ -91,10 +95,12 @@ struct chosen_split {
   bool proven;  ///< that no valid tree is preferred to it
 };
 
-/// The preferred valid tree; nothing where no tree is valid, which thesis 3.5 excludes but where three planes share an edge's line. Among equals: up
-/// to degree greatest_listed_degree and where facets share a plane, the first in the thesis's order; else the first in the order of split_search.
-/// Throws unsupported_error where that would take too long, or too much memory: above degree greatest_split_degree where facets share a plane, above
-/// greatest_remembered_degree where edges are both convex and reflex.
+/// Returns the preferred valid tree; nothing where no tree is valid, which thesis 3.5 excludes but
+/// where three planes share an edge's line. Among equals: up to degree greatest_listed_degree the
+/// first in the thesis's order, above it the first in the order of split_search.
+/// *Requires* degree >= 4. *Throws* unsupported_error where a split is not found in so many steps,
+/// or would take too much memory: above greatest_remembered_degree where edges are both convex and
+/// reflex.
 template <kernel<3> K>
 std::optional<chosen_split> preferred_split(const K& k, const corner& c, split_preference preference) {
   constexpr int greatest_listed_degree = 7;  // up to here listing is as fast
@@ -107,8 +113,8 @@ std::optional<chosen_split> preferred_split(const K& k, const corner& c, split_p
   if (c.degree() > greatest_remembered_degree)
     throw unsupported_error("not yet: the split of a vertex of degree " + std::to_string(c.degree()) + " with convex and reflex edges (at most " +
                             std::to_string(greatest_remembered_degree) + ")");
-  const auto search = [&](auto measure) {
-    return split_search<K, decltype(measure)>(s.signs(), std::move(measure)).best([&s](const searched_split::diagonals& diagonals) {
+  const auto search = [&](auto objective) {
+    return split_search<K, decltype(objective)>(s.signs(), std::move(objective)).best([&s](const searched_split::diagonals& diagonals) {
       const auto t = s.tree(diagonals);
       return t && s.valid(*t);
     });
@@ -135,8 +141,9 @@ std::optional<chosen_split> preferred_split(const K& k, const corner& c, split_p
   return found.end == search_end::none ? std::nullopt : chosen(s.tree(found.tree), proven);
 }
 
-/// One of the valid trees, each with the same chance, by rejection among candidates of split_search; the preferred one of most convex edges where a
-/// thousand of them are rejected. Errors as for preferred_split.
+/// Returns one of the valid trees, each with the same chance, by rejection among candidates of
+/// split_search; the preferred one of most convex edges where a thousand of them are rejected.
+/// *Requires* and *Throws* as preferred_split.
 template <kernel<3> K>
 std::optional<chosen_split> random_split(const K& k, const corner& c, std::uint64_t seed) {
   const splitter<K> s(k, c);

@@ -43,6 +43,7 @@ namespace osteon {
 template <kernel<3> K>
 class propagation {
  public:
+  /// `solid` must outlive the run.
   propagation(const K& k, const boundary& solid, const skeleton_options& o = {})
       : k_(k), solid_(solid), options_(o), surgery_(k, solid.planes), search_(k, surgery_.front()) {}
 
@@ -72,7 +73,8 @@ class propagation {
     return split.unproven;
   }
 
-  // Whether the cell that an event creates becomes solid. At a saddle that makes the new edge convex.
+  // Whether the cell that an event creates becomes solid. At a saddle that makes the new edge
+  // convex.
   bool fills(const local_state& s) const {
     if (!s.event->may_empty && !s.event->may_fill) broken_invariant<K>("every event has an admissible outcome");
     if (!s.event->may_empty || !s.event->may_fill) return s.event->may_fill;

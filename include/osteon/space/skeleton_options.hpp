@@ -17,8 +17,8 @@ namespace osteon {
 struct skeleton_options {
   split_preference prefer = split_preference::convex;
   saddle_rule saddle = saddle_rule::convex;
-  /// Where given, nothing is preferred: splits (see random_split) and outcomes of saddles are drawn,
-  /// the same ones for the same number.
+  /// Where given, nothing is preferred: splits (see random_split) and outcomes of saddles are
+  /// drawn, the same ones for the same number.
   std::optional<std::uint64_t> explore = std::nullopt;
 };
 

@@ -37,9 +37,11 @@ class splitter {
   /// *Requires* degree >= 4.
   splitter(const K& k, corner c, bool bounded = true) : signs_(k, std::move(c), bounded) {}
 
+  /// The signs of the corner.
   const corner_signs<K>& signs() const { return signs_; }
 
-  /// Returns the tree of a triangulation given by its diagonals, ascending; nothing where it breaks the local rule.
+  /// Returns the tree of a triangulation given by its diagonals, ascending; nothing where it breaks
+  /// the local rule.
   std::optional<split_tree> tree(std::span<const std::pair<int, int>> diagonals) const { return tree_builder<K>(signs_).build(diagonals); }
 
   /// Returns all trees that obey the local rule, in the thesis's order.
@@ -55,8 +57,9 @@ class splitter {
     return result;
   }
 
-  /// Returns whether the offset surface of a tree that obeys the local rule has no self-intersection, exactly: no edge
-  /// meets a facet that it does not bound, which includes the other edges of its own two facets.
+  /// Returns whether the offset surface of a tree that obeys the local rule has no
+  /// self-intersection, exactly: no edge meets a facet that it does not bound, which includes the
+  /// other edges of its own two facets.
   bool valid(const split_tree& t) const {
     const std::vector<segment> edges = segments(t);
     std::map<plane_id, std::vector<segment>> facets;
@@ -75,9 +78,9 @@ class splitter {
     return trees;
   }
 
-  /// Returns the preferred valid tree; among equals the first in the thesis's order. Nothing where no tree is valid:
-  /// thesis 3.5 proves that there is one, but where three planes share an edge's line all of them may have a vertex at
-  /// infinity. *Throws* as candidates().
+  /// Returns the preferred valid tree; among equals the first in the thesis's order. Nothing where
+  /// no tree is valid: thesis 3.5 proves that there is one, but where three planes share an edge's
+  /// line all of them may have a vertex at infinity. *Throws* as candidates().
   std::optional<split_tree> best(split_preference preference) const {
     std::vector<split_tree> trees = candidates();
     std::stable_sort(trees.begin(), trees.end(), [&](const split_tree& s, const split_tree& t) { return better(s, t, preference); });
@@ -85,7 +88,8 @@ class splitter {
     return found == trees.end() ? std::nullopt : std::optional(*found);
   }
 
-  /// Returns the edges around and inside the split vertex, one for each of the tree; those of the solid run to infinity.
+  /// Returns the edges around and inside the split vertex, one for each of the tree; those of the
+  /// solid run to infinity.
   std::vector<segment> segments(const split_tree& t) const {
     std::vector<segment> result;
     for (const split_edge& e : t.edges) result.push_back({sorted(std::array{plane(e.a), plane(e.b)}), {-1, -1}, {false, false}, e.convex});
@@ -114,8 +118,9 @@ class splitter {
     return in_facet(l, facet, e.planes[0], e.planes[1]);
   }
 
-  // Whether the corner (l,i,j) lies in the unbounded facet of l. Where neither line through it meets an edge, all
-  // edges lie in one quadrant of the two lines, and the corner is in the facet iff that covers more than half a turn.
+  // Whether the corner (l,i,j) lies in the unbounded facet of l. Where neither line through it
+  // meets an edge, all edges lie in one quadrant of the two lines, and the corner is in the facet
+  // iff that covers more than half a turn.
   bool in_facet(plane_id l, const std::vector<segment>& facet, plane_id i, plane_id j) const {
     const K& k = signs_.kernel();
     for (const auto& [first, second] : {std::pair(i, j), std::pair(j, i)}) {

@@ -2,11 +2,11 @@
 #pragma once
 
 /// \file
-/// What a split of a vertex is worth, as split_search adds it up: a `value` for the best tree of a part, made from the values of smaller parts; a
-/// `sum` of values, single vertices and single edges; an order of sums, positive where the first is better.
+/// What a split of a vertex is chosen for: the objectives of split_table.hpp and split_search.hpp.
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <deque>
 #include <iterator>
 #include <vector>
@@ -16,7 +16,28 @@
 
 namespace osteon {
 
-/// All trees are worth the same.
+/// An objective adds up what trees are good for. A `value` belongs to the best tree of a part and
+/// is made from the values of smaller parts; a `sum` adds values, single vertices and single edges.
+/// Both may point into the objective, which must outlive them.
+template <class O>
+concept split_objective = requires(O& o, const O& fixed, typename O::value v, typename O::sum& s, bool convex, const std::array<int, 3>& facets) {
+  // The value of nothing.
+  { fixed.none() } -> std::same_as<typename O::value>;
+  // The value of a part with one more edge.
+  { fixed.with_edge(v, convex) } -> std::same_as<typename O::value>;
+  // The value of two parts with a vertex of three facets between them.
+  { o.with_vertex(v, v, facets) } -> std::same_as<typename O::value>;
+  // The value of two parts.
+  { o.joined(v, v) } -> std::same_as<typename O::value>;
+  // Adds to a sum.
+  fixed.add(s, v);
+  fixed.add_edge(s, convex);
+  fixed.add_vertex(s, facets);
+  // The order of sums: positive where the first is better.
+  { fixed.compare(s, s) } -> std::same_as<sign>;
+};
+
+/// The objective for which all trees are equally good.
 struct any_tree {
   using value = int;
   using sum = int;
@@ -31,12 +52,13 @@ struct any_tree {
   sign compare(sum, sum) const { return sign::zero; }
 };
 
-/// Worth of a tree: the number of edges of one kind that begin at the vertex.
+/// The objective: most edges of one kind that begin at the vertex.
 class edge_count {
  public:
   using value = int;
   using sum = int;
 
+  /// Counts convex or reflex edges.
   explicit edge_count(bool convex) : convex_(convex) {}
 
   value none() const { return 0; }
@@ -46,17 +68,18 @@ class edge_count {
   void add(sum& s, value v) const { s += v; }
   void add_edge(sum& s, bool convex) const { s += convex == convex_ ? 1 : 0; }
   void add_vertex(sum&, const std::array<int, 3>&) const {}
-  /// Positive where the first is better.
   sign compare(const sum& x, const sum& y) const { return sign_of(x - y); }
 
  private:
   bool convex_;
 };
 
-/// Worth of a tree: the offset's volume, greatest or least. Lists of vertices that share their tails.
+/// The objective: greatest or least volume of the offset. A value is a list of vertices; lists
+/// share their tails.
 template <kernel<3> K>
 class offset_volume {
  public:
+  /// A vertex, or nothing, with what is below it.
   struct part {
     const part* left;
     const part* right;
@@ -65,6 +88,7 @@ class offset_volume {
   using value = const part*;
   using sum = std::vector<triple>;
 
+  /// `signs`: of the corner; they must outlive the objective.
   offset_volume(const corner_signs<K>& signs, bool greatest) : signs_(signs), greatest_(greatest) {}
 
   value none() const { return nullptr; }

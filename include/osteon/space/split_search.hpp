@@ -36,9 +36,9 @@ struct searched_split {
   diagonals tree;
 };
 
-/// All candidates of one corner: counted, drawn, listed, optimised. Where facets share a plane, a candidate without crossing edges need not be
-/// valid. Parameters as for split_table.
-template <kernel<3> K, class Measure, class Count = double>
+/// All candidates of one corner: counted, drawn, listed, optimised. Where facets share a plane, a
+/// candidate without crossing edges need not be valid. Parameters as for split_table.
+template <kernel<3> K, split_objective Objective, class Count = double>
 class split_search {
  public:
   using diagonals = searched_split::diagonals;
@@ -46,12 +46,13 @@ class split_search {
   using visitor = std::function<bool(const diagonals&)>;
 
   /// *Requires* degree >= 4. *Complexity* as split_table.
-  split_search(const corner_signs<K>& signs, Measure measure) : table_(signs, std::move(measure)) {}
+  split_search(const corner_signs<K>& signs, Objective objective) : table_(signs, std::move(objective)) {}
 
   /// Returns the number of candidates.
   const Count& count() const { return table_.count(); }
 
-  /// Returns a candidate. `below(n)` draws a number from 0 to n - 1, each with equal chance; then every candidate has.
+  /// Returns a candidate. `below(n)` draws a number from 0 to n - 1, each with equal chance; then
+  /// every candidate has.
   /// *Requires* count() > 0.
   template <class Below>
   diagonals sample(Below&& below) const {
@@ -74,14 +75,17 @@ class split_search {
     return result;
   }
 
-  /// Calls visit(diagonals) for every candidate without crossing edges, diagonals ascending, until it answers true. Returns whether all were
-  /// visited, which needs at most `most_steps`. Order: apexes from the side (0,k-1) down, the smaller part first, convex edges before reflex ones.
+  /// Calls visit(diagonals) for every candidate without crossing edges, diagonals ascending, until
+  /// it answers true. Returns whether all were visited, which needs at most `most_steps`. Order:
+  /// apexes from the side (0,k-1) down, the smaller part first, convex edges before reflex ones.
   bool for_each(const visitor& visit, std::uint64_t most_steps = std::numeric_limits<std::uint64_t>::max()) {
     return run(std::nullopt, false, false, most_steps, visit) == outcome::none;
   }
 
-  /// Returns the best tree that `accepts` answers true for, the first of for_each's order among equals.
-  /// *Complexity* to prove a tree best takes exponentially many steps in the worst case; the search gives up after a multiple of `most_steps`.
+  /// Returns the best tree that `accepts` answers true for, the first of for_each's order among
+  /// equals.
+  /// *Complexity* to prove a tree best takes exponentially many steps in the worst case; the search
+  /// gives up after a multiple of `most_steps`.
   searched_split best(const visitor& accepts, std::uint64_t most_steps = 1'000'000) {
     std::optional<std::pair<diagonals, sum>> found;
     const auto find = [&](std::optional<sum> limit, bool strictly, bool best_first) {
@@ -92,7 +96,7 @@ class split_search {
       });
     };
     sum most{};
-    table_.measure().add(most, table_.whole().best);
+    table_.objective().add(most, table_.whole().best);
     if (find(most, false, false) == outcome::found) return {search_end::best, found->first};
     outcome next = find(std::nullopt, false, true);
     if (next == outcome::none) return {search_end::none, {}};
@@ -103,10 +107,10 @@ class split_search {
   }
 
  private:
-  using table = split_table<K, Measure, Count>;
+  using table = split_table<K, Objective, Count>;
   using task = typename table::task;
   using option = typename table::option;
-  using sum = typename Measure::sum;
+  using sum = typename Objective::sum;
   using border = typename corner_signs<K>::border;
   using levels = std::vector<bool>;
   enum class outcome : std::uint8_t { found, none, out_of_steps };
@@ -120,15 +124,15 @@ class split_search {
 
   // What an option adds to the decisions: its triangle, and the edges that have both ends now.
   void decide(sum& s, const task& t, const option& o) const {
-    if (table_.is_corner(t.i, o.apex, t.j)) table_.measure().add_vertex(s, {t.i, o.apex, t.j});
-    if (o.inner_edge) table_.measure().add_edge(s, o.left.convex);
-    if (t.above >= 0 && o.end != table::nowhere) table_.measure().add_edge(s, t.below.convex);
+    if (table_.is_corner(t.i, o.apex, t.j)) table_.objective().add_vertex(s, {t.i, o.apex, t.j});
+    if (o.inner_edge) table_.objective().add_edge(s, o.left.convex);
+    if (t.above >= 0 && o.end != table::nowhere) table_.objective().add_edge(s, t.below.convex);
   }
   // The best that an option may come to.
   void add_best(sum& s, const task& t, const option& o) const {
     decide(s, t, o);
-    table_.measure().add(s, o.left.best);
-    table_.measure().add(s, o.right.best);
+    table_.objective().add(s, o.left.best);
+    table_.objective().add(s, o.right.best);
   }
   sum best_of(const task& t, const option& o) const {
     sum s{};
@@ -141,13 +145,13 @@ class split_search {
     if (!limit_) return true;
     sum s = decided_;
     add_best(s, t, o);
-    for (const task& w : pending_) table_.measure().add(s, w.best);
-    const sign than_limit = table_.measure().compare(s, *limit_);
+    for (const task& w : pending_) table_.objective().add(s, w.best);
+    const sign than_limit = table_.objective().compare(s, *limit_);
     return than_limit == sign::positive || (than_limit == sign::zero && !strictly_);
   }
 
-  // Calls visit(f, edge) for every edge whose ends are known with an option of task t, seen from both its facets; f is the first facet of the same
-  // plane.
+  // Calls visit(f, edge) for every edge whose ends are known with an option of task t, seen from
+  // both its facets; f is the first facet of the same plane.
   template <class Visit>
   void for_each_edge(const task& t, const option& o, Visit visit) const {
     const auto both = [&](int f, int g, std::array<int, 2> ends, bool convex) {
@@ -164,7 +168,8 @@ class split_search {
     if (o.apex == t.j - 1) both(o.apex, t.j, {t.i, table::nowhere}, o.right.convex);
   }
 
-  // The first level at which an edge was placed that an edge of the option crosses; -1 where there is none.
+  // The first level at which an edge was placed that an edge of the option crosses; -1 where there
+  // is none.
   int crossed_level(const task& t, const option& o) const {
     int first = -1;
     for_each_edge(t, o, [&](int f, const border& e) {
@@ -191,8 +196,9 @@ class split_search {
     return descend(0, ignored);
   }
 
-  // Does the pending tasks until visit is content. Where nothing is found, `blame` tells the levels whose decisions made it fail; where the level
-  // above is not among them, all its options fail alike and it need not try them (backjumping).
+  // Does the pending tasks until visit is content. Where nothing is found, `blame` tells the levels
+  // whose decisions made it fail; where the level above is not among them, all its options fail
+  // alike and it need not try them (backjumping).
   outcome descend(int level, levels& blame) {
     if (pending_.empty()) {
       diagonals d = chosen_;
@@ -206,7 +212,7 @@ class split_search {
     std::vector<option> all = table_.options(t);
     if (best_first_)
       std::stable_sort(all.begin(), all.end(),
-                       [&](const option& x, const option& y) { return table_.measure().compare(best_of(t, x), best_of(t, y)) == sign::positive; });
+                       [&](const option& x, const option& y) { return table_.objective().compare(best_of(t, x), best_of(t, y)) == sign::positive; });
     for (const option& o : all) {
       if (steps_left_-- == 0) return outcome::out_of_steps;
       if (!may_do(t, o)) {
@@ -238,8 +244,8 @@ class split_search {
     sum before = decided_;
     decide(decided_, t, o);
     sum most{};
-    table_.measure().add(most, t.best);
-    lossy_[level] = limit_ && table_.measure().compare(best_of(t, o), most) != sign::zero;
+    table_.objective().add(most, t.best);
+    lossy_[level] = limit_ && table_.objective().compare(best_of(t, o), most) != sign::zero;
     if (const outcome done = descend(level + 1, blame); done != outcome::none) return done;
     decided_ = std::move(before);
     for_each_edge(t, o, [&](int f, const border&) { borders_[f].pop_back(); });

@@ -2,13 +2,15 @@
 #pragma once
 
 /// \file
-/// The trees that a vertex of any degree may split into, by dynamic programming over intervals, without listing them
-/// (docs/theory/vertex-splitting.md).
+/// The trees that a vertex of any degree may split into, by dynamic programming over intervals,
+/// without listing them (docs/theory/vertex-splitting.md).
 ///
-/// A tree is a triangulation of the polygon of facets 0 .. k-1. The part of it on the far side of the diagonal (i,j) from the side (0,k-1) matters to
-/// the rest only through its apex m, the bend of the edge (i,j), and what the borders of the facets i and j have done in it. Three rules are local
-/// to triangles and fans: that of the nine corners, and two about borders (facet_turns.hpp). Trees that obey them are the candidates; a candidate
-/// is valid unless two edges of one facet cross.
+/// A tree is a triangulation of the polygon of facets 0 .. k-1. The part of it on the far side of
+/// the diagonal (i,j) from the side (0,k-1) matters to the rest only through its apex m, the bend
+/// of the edge (i,j), and what the borders of the facets i and j have done in it. Three rules are
+/// local to triangles and fans: that of the nine corners, and two about borders (facet_turns.hpp).
+/// Trees that obey them are the candidates; a candidate is valid unless two edges of one facet
+/// cross.
 
 #include <algorithm>
 #include <array>
@@ -20,17 +22,19 @@
 #include "osteon/core/kernel.hpp"
 #include "osteon/space/corner.hpp"
 #include "osteon/space/facet_turns.hpp"
+#include "osteon/space/split_objective.hpp"
 
 namespace osteon {
 
-/// All candidates of one corner. Where facets share a plane (thesis 3.3.3), two candidates may be one forest. `Measure`: an objective of
-/// split_objective.hpp. `Count` counts candidates: an integer of any size for exact counts, double where their number does not matter.
+/// All candidates of one corner. Where facets share a plane (thesis 3.3.3), two candidates may be
+/// one forest. `Objective`: an objective of split_objective.hpp. `Count` counts candidates: an
+/// integer of any size for exact counts, double where their number does not matter.
 /// *Complexity* k^4 / 24 signs, each asked once, and about k^4 steps; memory k^3.
-template <kernel<3> K, class Measure, class Count = double>
+template <kernel<3> K, split_objective Objective, class Count = double>
 class split_table {
  public:
-  using value = typename Measure::value;
-  using sum = typename Measure::sum;
+  using value = typename Objective::value;
+  using sum = typename Objective::sum;
 
   /// What a task has above it, where that is no facet.
   static constexpr int root = -1;
@@ -38,7 +42,8 @@ class split_table {
   /// The end of an edge that runs on for ever.
   static constexpr int nowhere = -1;
 
-  /// What is common to trees below a side of a triangle: with the edge across that side, which has both ends then, or, at a joint, without.
+  /// What is common to trees below a side of a triangle: with the edge across that side, which has
+  /// both ends then, or, at a joint, without.
   struct summary : borders_below {
     int end;  ///< of a joint's
     value best;
@@ -62,17 +67,17 @@ class split_table {
     Count count;
   };
 
-  split_table(const split_table&) = delete;  // values may point into the measure
+  split_table(const split_table&) = delete;  // values may point into the objective
   split_table& operator=(const split_table&) = delete;
 
   /// Fills the table.
   /// *Requires* degree >= 4.
-  split_table(const corner_signs<K>& signs, Measure measure)
-      : s_(signs), turns_(signs), k_(signs.degree()), measure_(std::move(measure)), below_(static_cast<std::size_t>(k_) * k_) {
+  split_table(const corner_signs<K>& signs, Objective objective)
+      : s_(signs), turns_(signs), k_(signs.degree()), objective_(std::move(objective)), below_(static_cast<std::size_t>(k_) * k_) {
     for (int size = 2; size < k_; ++size)
       for (int i = 0; i + size < k_; ++i) fill(i, i + size);
     const progresses whole = {{{turns_.whole_turns(0), any_phase}, {turns_.whole_turns(k_ - 1), any_phase}}};
-    root_ = {0, k_ - 1, root, -1, nowhere, {s_.ray_is_convex(k_ - 1), whole}, measure_.none()};
+    root_ = {0, k_ - 1, root, -1, nowhere, {s_.ray_is_convex(k_ - 1), whole}, objective_.none()};
     bool first = true;
     for (const state& t : at(0, k_ - 1)) {
       if (!fits(t, root_)) continue;
@@ -82,9 +87,12 @@ class split_table {
     }
   }
 
+  /// The signs of the corner.
   const corner_signs<K>& signs() const { return s_; }
+  /// The turns of its facets.
   const facet_turns<K>& turns() const { return turns_; }
-  const Measure& measure() const { return measure_; }
+  /// The objective.
+  const Objective& objective() const { return objective_; }
 
   /// Returns the number of candidates.
   const Count& count() const { return count_; }
@@ -102,7 +110,8 @@ class split_table {
     return result;
   }
 
-  /// Returns what is to be done below the triangle that an option adds; the smaller part last, which is done first: it fails soonest.
+  /// Returns what is to be done below the triangle that an option adds; the smaller part last,
+  /// which is done first: it fails soonest.
   std::vector<task> sides(const task& t, const option& o, int level) const {
     const bool corner = is_corner(t.i, o.apex, t.j);
     const auto below = [&](int i, int j, int n, const summary& x) { return task{i, j, corner ? n : joint, level, x.end, x, x.best}; };
@@ -121,9 +130,10 @@ class split_table {
  private:
   static constexpr int any_phase = -1;
 
-  // The trees below (i,j) with this apex, with an edge (i,j) that bends so and has the third facet `end` at its far end, and with this progress of
-  // the facets i and j. The end is the apex, but where i or j and the apex share a plane the edge goes on between the others. Where i and j share one
-  // there is no edge, and the triangles on both sides of the diagonal are joints.
+  // The trees below (i,j) with this apex, with an edge (i,j) that bends so and has the third facet
+  // `end` at its far end, and with this progress of the facets i and j. The end is the apex, but
+  // where i or j and the apex share a plane the edge goes on between the others. Where i and j
+  // share one there is no edge, and the triangles on both sides of the diagonal are joints.
   struct state {
     int apex, end;
     borders_below below;
@@ -137,9 +147,9 @@ class split_table {
   bool better(value v, value w) const {
     sum x{};
     sum y{};
-    measure_.add(x, v);
-    measure_.add(y, w);
-    return measure_.compare(x, y) == sign::positive;
+    objective_.add(x, v);
+    objective_.add(y, w);
+    return objective_.compare(x, y) == sign::positive;
   }
 
   // Whether the edge (i,j) can end in the vertices with the facets `end` and n.
@@ -161,7 +171,7 @@ class split_table {
   std::vector<summary> summarise(int i, int j) const {
     if (j == i + 1) {
       const bool convex = s_.ray_is_convex(i);
-      return {{{convex, turns_.along_ray(i, convex)}, nowhere, measure_.none(), Count(1)}};
+      return {{{convex, turns_.along_ray(i, convex)}, nowhere, objective_.none(), Count(1)}};
     }
     std::vector<summary> result;
     for (const state& t : at(i, j))
@@ -175,7 +185,7 @@ class split_table {
     std::vector<summary> result;
     for (const state& t : at(i, j)) {
       if (t.end != nowhere && !is_edge(i, j, t.end, t.below.convex, n)) continue;
-      const value best = t.end == nowhere ? t.best : measure_.with_edge(t.best, t.below.convex);
+      const value best = t.end == nowhere ? t.best : objective_.with_edge(t.best, t.below.convex);
       gather(result, result.begin(), {t.below, nowhere, best, t.count}, [&t](const summary& x) { return alike(x, t.below); });
     }
     std::sort(result.begin(), result.end(),
@@ -222,9 +232,9 @@ class split_table {
   }
 
   value value_of(int i, int j, const option& o) {
-    if (is_corner(i, o.apex, j)) return measure_.with_vertex(o.left.best, o.right.best, {i, o.apex, j});
-    const value both = measure_.joined(o.left.best, o.right.best);
-    return o.inner_edge ? measure_.with_edge(both, o.left.convex) : both;
+    if (is_corner(i, o.apex, j)) return objective_.with_vertex(o.left.best, o.right.best, {i, o.apex, j});
+    const value both = objective_.joined(o.left.best, o.right.best);
+    return o.inner_edge ? objective_.with_edge(both, o.left.convex) : both;
   }
 
   void fill(int i, int j) {
@@ -253,7 +263,7 @@ class split_table {
   const corner_signs<K>& s_;
   facet_turns<K> turns_;
   int k_;
-  Measure measure_;
+  Objective objective_;
   std::vector<std::vector<state>> below_;
   task root_;
   Count count_ = 0;

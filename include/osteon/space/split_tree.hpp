@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// How a vertex of high degree is split: the tree of its new vertices and edges, and how one is made
-/// from a triangulation of the facets around the vertex (docs/theory/vertex-splitting.md).
+/// How a vertex of high degree is split: the tree of its new vertices and edges, and how one is
+/// made from a triangulation of the facets around the vertex (docs/theory/vertex-splitting.md).
 
 #include <algorithm>
 #include <array>
@@ -22,8 +22,9 @@
 
 namespace osteon {
 
-/// An edge of a split corner between the facets a and b of the corner. Where a facet's plane occurs twice around the
-/// corner, two of its facets may become one; then an edge runs on between both of them and the facet across.
+/// An edge of a split corner between the facets a and b of the corner. Where a facet's plane occurs
+/// twice around the corner, two of its facets may become one; then an edge runs on between both of
+/// them and the facet across.
 struct split_edge {
   int a, b;
   bool convex;
@@ -55,9 +56,11 @@ class tree_builder {
   /// A diagonal (a,b) of the polygon.
   using diagonal = std::pair<int, int>;
 
+  /// `signs` must outlive the builder.
   explicit tree_builder(const corner_signs<K>& signs) : signs_(signs) {}
 
-  /// Returns the tree of a triangulation given by its diagonals, ascending; nothing where it breaks the local rule.
+  /// Returns the tree of a triangulation given by its diagonals, ascending; nothing where it breaks
+  /// the local rule.
   /// *Complexity* n log n in the corner's degree.
   std::optional<split_tree> build(std::span<const diagonal> diagonals) const {
     split_tree t;
@@ -74,7 +77,8 @@ class tree_builder {
   plane_id plane(int facet) const { return signs_.plane(facet); }
   bool positive(const std::array<int, 3>& v) const { return signs_.positive(v[0], v[1], v[2]); }
 
-  // The edges of a triangulation: the facets with which each facet has one, ascending, and its number: the sides of the corner, then the diagonals.
+  // The edges of a triangulation: the facets with which each facet has one, ascending, and its
+  // number: the sides of the corner, then the diagonals.
   std::vector<std::vector<std::pair<int, int>>> fans(std::span<const diagonal> diagonals) const {
     const int n = signs_.degree();
     std::vector<std::vector<std::pair<int, int>>> result(n);
@@ -88,8 +92,8 @@ class tree_builder {
     return result;
   }
 
-  // Every triangle is a vertex, but for one with two facets of one plane: its two edges to the third facet are the same. False where three
-  // facets make no vertex.
+  // Every triangle is a vertex, but for one with two facets of one plane: its two edges to the
+  // third facet are the same. False where three facets make no vertex.
   bool find_vertices(std::span<const diagonal> diagonals, split_tree& t, std::vector<std::array<int, 3>>& opposite, disjoint_sets& same) const {
     const auto fan = fans(diagonals);
     for (int a = 0; a < signs_.degree(); ++a)
@@ -142,8 +146,9 @@ class tree_builder {
     });
   }
 
-  // An edge of the solid keeps its kind. A new one lies between two vertices; it is convex iff (det > 0) == (it runs inside), at either end
-  // (docs/theory/vertex-splitting.md). False where the two halves of one edge differ.
+  // An edge of the solid keeps its kind. A new one lies between two vertices; it is convex iff (det
+  // > 0) == (it runs inside), at either end (docs/theory/vertex-splitting.md). False where the two
+  // halves of one edge differ.
   bool set_convexity(split_tree& t) const {
     std::vector<std::vector<std::pair<std::size_t, int>>> ends_of(t.edges.size());
     for (std::size_t v = 0; v < t.vertices.size(); ++v)

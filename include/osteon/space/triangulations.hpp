@@ -14,8 +14,8 @@
 
 namespace osteon {
 
-/// Calls visit(diagonals) for every triangulation of a convex k-gon, in the thesis's order: lists of
-/// diagonals (a,b) ascending, lists in lexicographic order.
+/// Calls visit(diagonals) for every triangulation of a convex k-gon, in the thesis's order: lists
+/// of diagonals (a,b) ascending, lists in lexicographic order.
 /// *Requires* k >= 3. *Complexity* there are Catalan(k - 2).
 inline void for_each_triangulation(int k, const std::function<void(std::span<const std::pair<int, int>>)>& visit) {
   std::vector<std::pair<int, int>> all;

@@ -22,8 +22,8 @@
 
 namespace osteon::certificate {
 
-/// The rules about events. Around the point where four planes meet, arcs and sheets must be those of one monotone function of four bits,
-/// and sheets are one polygon only where events say so.
+/// The rules about events. Around the point where four planes meet, arcs and sheets must be those
+/// of one monotone function of four bits, and sheets are one polygon only where events say so.
 template <kernel<3> K>
 class link_check {
  public:
@@ -32,7 +32,8 @@ class link_check {
       : k_(k), solid_(solid), s_(s), moments_(moments) {}
 
   /// Checks all events, polygons and counts.
-  /// *Requires* rules `structure`, `order` and `incidence`. *Throws* refutation; degenerate_error where the kernel answers zero.
+  /// *Requires* rules `structure`, `order` and `incidence`. *Throws* refutation; degenerate_error
+  /// where the kernel answers zero.
   /// *Complexity* n log n.
   void run() {
     for (int n = 0; n < static_cast<int>(s_.nodes.size()); ++n)
@@ -126,8 +127,9 @@ class link_check {
     return joined;
   }
 
-  // In the plane of two facets i and j four quadrants, by the sides of the two other planes, surround the node, each in a sheet or not. Where
-  // there is an arc between two quadrants, it names the sheets; where there is none, one sheet goes on.
+  // In the plane of two facets i and j four quadrants, by the sides of the two other planes,
+  // surround the node, each in a sheet or not. Where there is an arc between two quadrants, it
+  // names the sheets; where there is none, one sheet goes on.
   bool has_sheets_between(const star& at, function f, unsigned i, unsigned j, std::vector<std::pair<int, int>>& joined) const {
     const unsigned k = i == 0 ? (j == 1 ? 2 : 1) : 0;
     const unsigned l = 6 - i - j - k;
@@ -165,7 +167,8 @@ class link_check {
     return true;
   }
 
-  // Thesis 3.9: vertices before and after, edges between two of them that vanish and appear, and whether an edge passes through.
+  // Thesis 3.9: vertices before and after, edges between two of them that vanish and appear, and
+  // whether an edge passes through.
   event_class class_of(const star& at, function f) const {
     int vanish = 0;
     int appear = 0;

@@ -20,8 +20,9 @@
 
 namespace osteon::certificate {
 
-/// Rule `overlap`: along the line of every triple of planes the sheets of each pair of facets lie where their arcs say, once, and two sheets
-/// of one cell never cross. A point of the line is the moving vertex of the three planes, so places on it are told by time.
+/// Rule `overlap`: along the line of every triple of planes the sheets of each pair of facets lie
+/// where their arcs say, once, and two sheets of one cell never cross. A point of the line is the
+/// moving vertex of the three planes, so places on it are told by time.
 template <kernel<3> K>
 class overlap_check {
  public:
@@ -30,7 +31,8 @@ class overlap_check {
       : k_(k), solid_(solid), s_(s), moments_(moments) {}
 
   /// Checks all lines on which sheets of two facets may lie.
-  /// *Requires* rules `structure`, `order` and `incidence`. *Throws* refutation; degenerate_error where the kernel answers zero.
+  /// *Requires* rules `structure`, `order` and `incidence`. *Throws* refutation; degenerate_error
+  /// where the kernel answers zero.
   /// *Complexity* about the sum over cells of the squared number of their sheets.
   void run() {
     std::map<std::array<plane_id, 2>, std::vector<int>> borders;  // arcs on the borders of the sheets of two facets
@@ -61,12 +63,14 @@ class overlap_check {
  private:
   using meeting = typename K::meeting;
 
-  // A time during which the moving vertex of a line lies inside a sheet; from the start where there is no beginning.
+  // A time during which the moving vertex of a line lies inside a sheet; from the start where there
+  // is no beginning.
   struct period {
     std::optional<meeting> begin;
     meeting end;
   };
-  // Where plane l crosses a line: the moment, and by how much the number of sheets changes there, just outside and just inside plane k.
+  // Where plane l crosses a line: the moment, and by how much the number of sheets changes there,
+  // just outside and just inside plane k.
   struct change {
     std::optional<meeting> moment;
     std::array<int, 2> sheets;
@@ -86,7 +90,8 @@ class overlap_check {
     return false;
   }
 
-  // When the moving vertex of a pair's planes and a third plane k lies inside the pair's sheets, whose borders have these arcs.
+  // When the moving vertex of a pair's planes and a third plane k lies inside the pair's sheets,
+  // whose borders have these arcs.
   std::vector<period> periods_inside(const std::vector<int>& arcs, const std::array<plane_id, 2>& pair, plane_id k) {
     const triple line = sorted(triple{pair[0], pair[1], k});
     std::vector<int> on_line;
@@ -105,7 +110,8 @@ class overlap_check {
     return within;
   }
 
-  // The changes in order of time: where an arc on the sheets' border crosses the line or begins on it. Collects the arcs on the line.
+  // The changes in order of time: where an arc on the sheets' border crosses the line or begins on
+  // it. Collects the arcs on the line.
   std::vector<change> changes_along(const triple& line, const std::vector<int>& arcs, const std::array<plane_id, 2>& pair, plane_id k,
                                     std::vector<int>& on_line) {
     std::map<plane_id, change> changes;  // by the plane that crosses the line there
@@ -138,7 +144,8 @@ class overlap_check {
     return result;
   }
 
-  // Whether an arc runs along the line during a period. It must be alone, and the sheets beside it must be its own.
+  // Whether an arc runs along the line during a period. It must be alone, and the sheets beside it
+  // must be its own.
   bool has_arc(const std::vector<int>& on_line, const period& during, const std::array<plane_id, 2>& pair, const std::array<int, 2>& sheets) const {
     bool found = false;
     for (const int a : on_line) {
@@ -167,7 +174,8 @@ class overlap_check {
     return static_cast<sign>(known);
   }
 
-  // h_k at the moving vertex of three planes is (D - t S) / lambda_k, and D - t S has the sign of S (D / S - t).
+  // h_k at the moving vertex of three planes is (D - t S) / lambda_k, and D - t S has the sign of S
+  // (D / S - t).
   sign height(const triple& planes, plane_id k, const meeting& t) const {
     const meeting m = meeting_of(k_, {planes[0], planes[1], planes[2], k});
     return k_.closing(m) * k_.compare(m, t) * lambda_in(m, k);

@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// The certificate's rules `structure`, `order` and `incidence`: everything that a skeleton names exists, nodes come in order of time, and
-/// what lies on what is said by both.
+/// The certificate's rules `structure`, `order` and `incidence`: everything that a skeleton names
+/// exists, nodes come in order of time, and what lies on what is said by both.
 
 #include <algorithm>
 #include <array>
@@ -22,6 +22,7 @@ namespace osteon::certificate {
 /// Rule `structure`: numbers count something, planes ascend.
 class structure_check {
  public:
+  /// A skeleton of a solid, both to outlive the check.
   structure_check(const boundary& solid, const skeleton& s) : solid_(solid), s_(s) {}
 
   /// Checks all elements.
@@ -88,7 +89,8 @@ class structure_check {
   const skeleton& s_;
 };
 
-/// Rule `order`: every node has a moment, nodes come in order of time, arcs run forwards. Returns the nodes' moments.
+/// Rule `order`: every node has a moment, nodes come in order of time, arcs run forwards. Returns
+/// the nodes' moments.
 /// *Requires* rule `structure`. *Throws* refutation. *Complexity* linear.
 template <kernel<3> K>
 std::vector<typename K::meeting> check_order(const K& k, const skeleton& s) {
@@ -113,6 +115,7 @@ std::vector<typename K::meeting> check_order(const K& k, const skeleton& s) {
 template <kernel<3> K>
 class incidence_check {
  public:
+  /// A skeleton of a solid, both to outlive the check.
   incidence_check(const K& k, const boundary& solid, const skeleton& s)
       : k_(k), solid_(solid), s_(s), of_node_(s.nodes.size()), of_sheet_(s.sheets.size()), bend_(s.sheets.size(), bend::none) {}
 
@@ -165,7 +168,8 @@ class incidence_check {
     return x == y;
   }
 
-  // Whether a plane passes through a node; through a vertex of the solid also when it contains the line of an edge that ends there.
+  // Whether a plane passes through a node; through a vertex of the solid also when it contains the
+  // line of an edge that ends there.
   bool passes(int n, plane_id p) const {
     const auto& node = s_.nodes[n];
     if (node.vertex < 0) return position(node.planes, p) < node.planes.size();

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// The certificate's rules `border` and `floor`: the surface of every cell is closed, and hangs together with its facet.
+/// The certificate's rules `border` and `floor`: the surface of every cell is closed, and hangs
+/// together with its facet.
 
 #include <algorithm>
 #include <map>
@@ -19,7 +20,8 @@
 
 namespace osteon::certificate {
 
-/// Rule `border`: at the solid's vertices the border of every polygon of sheets is closed, and the edges of the sheets are those of the solid.
+/// Rule `border`: at the solid's vertices the border of every polygon of sheets is closed, and the
+/// edges of the sheets are those of the solid.
 /// *Requires* rules `structure` and `incidence`. *Throws* refutation. *Complexity* n log n.
 inline void check_borders(const boundary& solid, const skeleton& s) {
   std::map<std::pair<int, int>, int> ends;  // of a polygon's border, by representative and vertex
@@ -42,8 +44,10 @@ inline void check_borders(const boundary& solid, const skeleton& s) {
     demand(times % 2 == 0, rule::border, "edge", at.first, ("bounds no sheet, or a wrong one, of facet " + std::to_string(at.second)).c_str());
 }
 
-/// Rule `floor` for the cell of facet f: every part of the cell's surface that hangs together touches the facet.
-/// *Requires* rules `structure` and `incidence`. *Throws* refutation. *Complexity* n log n in the cell's sheets and arcs.
+/// Rule `floor` for the cell of facet f: every part of the cell's surface that hangs together
+/// touches the facet.
+/// *Requires* rules `structure` and `incidence`. *Throws* refutation. *Complexity* n log n in the
+/// cell's sheets and arcs.
 inline void check_floor(const skeleton& s, plane_id f) {
   std::vector<int> polygons;  // the representatives of the cell's sheets, ascending
   std::set<int> arcs;

@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// The moving boundary: vertices of three planes, edges of two, and the tables to find them by their planes. There
-/// are no rings and no half-edges: corners, pieces of lines and signs say everything (design 02).
+/// The moving boundary: vertices of three planes, edges of two, and the tables to find them by
+/// their planes. There are no rings and no half-edges: the planes of corners and pieces of lines,
+/// with signs, say everything (docs/theory/events.md).
 
 #include <algorithm>
 #include <array>
@@ -21,25 +22,31 @@ namespace osteon {
 /// Flat arrays with ids that are never used again; removed elements stay as tombstones.
 class wavefront {
  public:
+  /// A moving vertex of three planes.
   struct vertex {
     triple planes;             ///< ascending
     std::array<int, 6> edges;  ///< by slot, -1 for none
-    int arc;
-    std::uint8_t corner;  ///< one of the nine (local::corners); 0: not known yet
+    int arc;                   ///< that it traces
+    std::uint8_t corner;       ///< one of the nine (local::corners); 0: not known yet
     bool alive;
   };
+  /// A moving edge.
   struct edge : segment {
-    std::array<int, 2> ends;
-    int sheet;
+    std::array<int, 2> ends;  ///< vertices
+    int sheet;                ///< that it traces
     bool alive;
     std::array<int, 2> index;  ///< in the lists of its two facets
   };
 
+  /// An empty wavefront of so many planes.
   explicit wavefront(plane_id planes) : by_plane_(planes) {}
 
-  /// The slot of a vertex for the edge opposite its plane number t (0..2), inside or outside that plane.
+  /// Returns the slot of a vertex for the edge opposite its plane number t (0..2), inside or
+  /// outside that plane.
   static int slot(int t, bool inside) { return 2 * t + (inside ? 1 : 0); }
 
+  /// Adds a vertex without edges and returns its number.
+  /// *Requires* ascending planes that have no vertex yet. *Complexity* expected constant.
   int add_vertex(const triple& planes, std::uint8_t corner, int arc) {
     const int id = static_cast<int>(vertices_.size());
     vertices_.push_back({planes, {-1, -1, -1, -1, -1, -1}, arc, corner, true});
@@ -47,11 +54,13 @@ class wavefront {
     return id;
   }
 
+  /// Removes a vertex; its edges are not told.
   void remove_vertex(int v) {
     vertices_[v].alive = false;
     by_corner_.erase(vertices_[v].planes);
   }
 
+  /// Adds an edge, at first without ends, and returns its number. *Complexity* expected constant.
   int add_edge(const segment& s, int sheet) {
     const int id = static_cast<int>(edges_.size());
     edges_.push_back({s, {-1, -1}, sheet, true, {0, 0}});
@@ -64,6 +73,7 @@ class wavefront {
     return id;
   }
 
+  /// Removes an edge; its ends are not told. *Complexity* linear in the edges on its line.
   void remove_edge(int e) {
     edge& gone = edges_[e];
     gone.alive = false;
@@ -78,7 +88,7 @@ class wavefront {
     }
   }
 
-  /// Makes v the end of e that lies on the given side of the vertex's third plane.
+  /// Makes v an end of e; there e lies on the given side of the vertex's third plane.
   void attach(int e, int end, int v, plane_id third, bool inside) {
     edge& to = edges_[e];
     to.ends[end] = v;
@@ -87,25 +97,31 @@ class wavefront {
     vertices_[v].edges[slot(static_cast<int>(position(vertices_[v].planes, third)), inside)] = e;
   }
 
-  /// The vertex of three planes (ascending), or -1. Three planes meet once, so there is at most one.
+  /// Returns the vertex of three planes (ascending), or -1. Three planes meet once, so there is at
+  /// most one. *Complexity* expected constant.
   int find_vertex(const triple& planes) const {
     const auto found = by_corner_.find(planes);
     return found == by_corner_.end() ? -1 : found->second;
   }
 
-  /// The edges on the line of two planes (ascending).
+  /// Returns the edges on the line of two planes (ascending). *Complexity* expected constant.
   std::span<const int> on_line(plane_id p, plane_id q) const {
     const auto found = by_line_.find(line(p, q));
     return found == by_line_.end() ? std::span<const int>() : std::span<const int>(found->second);
   }
 
+  /// Returns the number of planes.
   plane_id planes() const { return static_cast<plane_id>(by_plane_.size()); }
-  /// The edges of a facet.
+  /// Returns the edges of a facet.
   std::span<const int> of_facet(plane_id p) const { return by_plane_[p]; }
 
+  /// All vertices that there ever were.
   const std::vector<vertex>& vertices() const { return vertices_; }
+  /// All edges that there ever were.
   const std::vector<edge>& edges() const { return edges_; }
+  /// Returns a vertex, to be changed.
   vertex& at_vertex(int v) { return vertices_[v]; }
+  /// Returns whether no vertex is left.
   bool empty() const { return by_corner_.empty(); }
 
  private:
