@@ -3,6 +3,7 @@
 /// osteon ambiguity: how many skeletons a solid may have, and a walk through some of them.
 
 #include <fmt/format.h>
+#include <fmt/ostream.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -17,6 +18,7 @@
 #include "osteon/evaluate/volume.hpp"
 #include "osteon/space/ambiguity.hpp"
 #include "osteon/space/propagate.hpp"
+#include "output.hpp"
 
 namespace osteon::app {
 namespace {
@@ -37,12 +39,13 @@ struct ambiguity_command {
         "Prints one JSON object: the vertices with several valid splits and their product, \"exact\" unless there are more,\n"
         "and the saddles that the skeleton of most convex edges meets, each with two outcomes.\n"
         "With --explore a table: the seed of the choices, the sizes of the raw skeleton, events, saddles, volumes.\n"
-        "Example:\n  osteon ambiguity seastar.obj --explore 20 --offset 0.05 --offset 0.1");
+        "Examples:\n  osteon generate arms -o arms.obj\n  osteon ambiguity arms.obj\n"
+        "  osteon ambiguity arms.obj --explore 3 --offset 0.5 --offset 1");
     c->callback([this] { run(); });
   }
 
   void run() const {
-    const solid<integer> s = input.read();
+    const solid<integer> s = input.read("ambiguity");
     const auto k = default_kernel(s);
     if (explore > 0) {
       walk(s, k);
@@ -65,7 +68,7 @@ struct ambiguity_command {
     doc["splits"] = product.str();
     doc["exact"] = exact;
     doc["saddles"] = straight_skeleton(k, s.boundary, skeleton_options{}).ambiguous;
-    fmt::print("{}\n", doc.dump());
+    standard_output() << doc.dump() << '\n';
   }
 
  private:
@@ -73,9 +76,9 @@ struct ambiguity_command {
   void walk(const solid<integer>& s, const K& k) const {
     const rational unit = unit_of(s);
     const std::vector<rational> speeds = rounded_speeds(s.planes);
-    fmt::print("seed\tnodes\tarcs\tsheets\tevents\tsaddles");
-    for (const double t : offsets) fmt::print("\tvolume@{}", t);
-    fmt::print("\n");
+    fmt::print(standard_output(), "seed\tnodes\tarcs\tsheets\tevents\tsaddles");
+    for (const double t : offsets) fmt::print(standard_output(), "\tvolume@{}", t);
+    fmt::print(standard_output(), "\n");
     std::set<std::vector<quadruple>> seen;
     const std::uint64_t last = seed + 20 * static_cast<std::uint64_t>(explore) + 100;
     std::uint64_t at = seed;
@@ -89,12 +92,13 @@ struct ambiguity_command {
       if (!seen.insert(std::move(nodes)).second) continue;
       int events = 0;
       for (const int n : raw.events) events += n;
-      fmt::print("{}\t{}\t{}\t{}\t{}\t{}", at, raw.nodes.size(), raw.arcs.size(), raw.sheets.size(), events, raw.ambiguous);
+      fmt::print(standard_output(), "{}\t{}\t{}\t{}\t{}\t{}", at, raw.nodes.size(), raw.arcs.size(), raw.sheets.size(), events, raw.ambiguous);
       if (!offsets.empty()) {
         const rational_offsets volumes(s.planes, raw, speeds);
-        for (const double t : offsets) fmt::print("\t{}", static_cast<double>(rational(volumes.volume(rational(t) / unit) * unit * unit * unit)));
+        for (const double t : offsets)
+          fmt::print(standard_output(), "\t{}", static_cast<double>(rational(volumes.volume(rational(t) / unit) * unit * unit * unit)));
       }
-      fmt::print("\n");
+      fmt::print(standard_output(), "\n");
     }
     if (seen.size() < static_cast<std::size_t>(explore))
       fmt::print(stderr, "osteon: {} seeds led to {} different skeletons only\n", at - seed, seen.size());

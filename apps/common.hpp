@@ -2,16 +2,14 @@
 #pragma once
 
 /// \file
-/// What several commands of the program share: reading a model, naming options, choosing a kernel, writing a file.
+/// What several commands of the program share: reading a model, naming options, choosing a kernel.
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -19,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "input.hpp"
 #include "osteon/input/read_obj.hpp"
 #include "osteon/input/solid.hpp"
 #include "osteon/kernel/double.hpp"
@@ -50,15 +49,20 @@ std::vector<std::string> names(const std::map<std::string, Value>& of) {
   return result;
 }
 
-/// Takes finite numbers of at least this, nothing else.
-inline CLI::Validator finite_from(double least) {
+/// Takes numbers for which `holds`, nothing else; what they are is said by `what`.
+inline CLI::Validator number_that(std::function<bool(double)> holds, const std::string& what) {
   return CLI::Validator(
-      [least](const std::string& text) {
+      [holds = std::move(holds), what](const std::string& text) {
         double x = 0;
-        const bool holds = CLI::detail::lexical_cast(text, x) && std::isfinite(x) && x >= least;
-        return holds ? std::string() : text + " is no finite number" + (least < 0 ? "" : fmt::format(" of at least {}", least));
+        return CLI::detail::lexical_cast(text, x) && holds(x) ? std::string() : text + " is no " + what;
       },
       "");
+}
+
+/// Takes finite numbers of at least this, nothing else.
+inline CLI::Validator finite_from(double least) {
+  return number_that([least](double x) { return std::isfinite(x) && x >= least; },
+                     "finite number" + (least < 0 ? "" : fmt::format(" of at least {}", least)));
 }
 inline const CLI::Validator finite = finite_from(std::numeric_limits<double>::lowest());
 
@@ -74,13 +78,11 @@ struct model {
     command.add_flag("--triangulate", triangulate, "cut facets that are not planar into triangles");
   }
 
-  solid<integer> read() const {
-    input_mesh<integer> m = [&] {
-      if (file == "-") return read_obj<integer>(std::cin, "standard input");
-      std::ifstream in(file, std::ios::binary);
-      if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
-      return read_obj<integer>(in, file);
-    }();
+  /// For commands that take polyhedra only.
+  solid<integer> read(const std::string& command) const { return read(input_text(file, command, subject::polyhedron)); }
+
+  solid<integer> read(input_text text) const {
+    input_mesh<integer> m = read_obj<integer>(text.stream(), text.name());
     if (flip) solid_builder<integer>::flip(m);
     if (triangulate) solid_builder<integer>::triangulate(m);
     return make_solid(std::move(m));
@@ -110,23 +112,6 @@ auto with_kernel(const std::string& name, std::span<const moving_plane<integer>>
   if (name == "double") return body(make_double_kernel(planes));
   if (name == "rational") return body(perturbed(filtered(planes, make_rational_kernel(planes))));
   return body(perturbed(filtered(planes, make_sqrt_kernel(planes))));
-}
-
-/// Writes to a new file first, so that nothing is lost when that fails. write(stream) gives the text.
-template <class Write>
-void write_file(const std::string& name, Write write) {
-  const std::string fresh = name + ".part";
-  {
-    std::ofstream out(fresh, std::ios::binary);
-    write(out);
-    out.flush();
-    if (!out) throw input_error(input_fault::unreadable, 0, name + ": cannot be written", "check the folder and the space on the disk");
-  }
-  std::filesystem::rename(fresh, name);
-}
-
-inline void write_file(const std::string& name, const std::string& text) {
-  write_file(name, [&text](std::ostream& out) { out << text; });
 }
 
 /// The kernel that commands use which do not ask for one.

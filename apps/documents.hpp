@@ -24,8 +24,6 @@
 
 namespace osteon::app {
 
-inline constexpr const char* skeleton_format = "osteon skeleton 2";
-
 /// The events of a skeleton by class, in the thesis's order.
 inline json events_document(const skeleton& s) {
   json events = json::object();

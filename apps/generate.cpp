@@ -7,6 +7,7 @@
 #include "common.hpp"
 #include "osteon/models/polygons.hpp"
 #include "osteon/models/polyhedra.hpp"
+#include "output.hpp"
 
 namespace osteon::app {
 namespace {
@@ -28,8 +29,14 @@ struct generate_command {
     for (const auto& k : models::kinds()) add(k);
     list += "Polygons:\n";
     for (const auto& k : plane::models::kinds()) add(k);
-    c->add_option("KIND", kind, "what to make")->required()->check(CLI::IsMember(known));
-    c->add_option("--size", size, "see below")->check(CLI::PositiveNumber);
+    c->add_option("KIND", kind, "what to make")
+        ->required()
+        ->check(CLI::Validator(
+            [known](const std::string& name) {
+              return std::find(known.begin(), known.end(), name) != known.end() ? "" : name + " is no kind of model";
+            },
+            ""));
+    c->add_option("--size", size, "see below");
     c->add_option("--seed", seed, "for the random ones")->capture_default_str();
     c->add_option("-o,--output", output, "the file; standard output where it is missing");
     c->footer(list + "Examples:\n  osteon generate voxels --size 6 --seed 7 -o voxels.obj\n  osteon generate comb --size 10000 -o comb.xy");
@@ -37,11 +44,8 @@ struct generate_command {
   }
 
   void run() const {
-    const std::string text = polyhedron().value_or(polygon().value_or(""));
-    if (output.empty())
-      fmt::print("{}", text);
-    else
-      write_file(output, text);
+    const destination to(output);
+    to.write(polyhedron().value_or(polygon().value_or("")));
   }
 
   // The kind's entry in a table and the size wanted, if the table has it.

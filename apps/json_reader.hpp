@@ -21,6 +21,10 @@ namespace osteon::app {
 
 using json = nlohmann::ordered_json;
 
+/// The formats of documents, as their member `format` names them: of polyhedra and of polygons.
+inline constexpr const char* skeleton_format = "osteon skeleton 2";
+inline constexpr const char* planar_format = "osteon planar skeleton 1";
+
 /// Base of the readers of skeleton documents. All throw input_error(not_skeleton).
 class json_reader {
  public:
@@ -30,8 +34,11 @@ class json_reader {
  protected:
   json parse(std::istream& in, const std::string& format) const {
     json doc = json::parse(in, nullptr, false);
-    if (doc.is_discarded()) wrong("", "is no JSON text");
-    if (text(doc, "format", "") != format) wrong("format", std::string("is not \"") + format + '"');
+    if (doc.is_discarded()) wrong("", "this is no JSON text");
+    const std::string found = text(doc, "format", "");
+    if (found != format && found == planar_format) wrong("", "this is the skeleton of a polygon, and the model is a polyhedron");
+    if (found != format && found == skeleton_format) wrong("", "this is the skeleton of a polyhedron, and the model is a polygon");
+    if (found != format) wrong("format", "is not \"" + format + '"');
     return doc;
   }
 

@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "json_reader.hpp"
 #include "osteon/evaluate/offset.hpp"
+#include "output.hpp"
 #include "planar.hpp"
 
 namespace osteon::app {
@@ -36,33 +37,38 @@ struct offset_command {
         ->capture_default_str();
     c->add_option("--kernel", kernel, "as for osteon skeleton")->check(CLI::IsMember({"sqrt", "rational", "double"}))->capture_default_str();
     c->add_option("-o,--output", output, "the file; standard output where it is missing");
-    c->add_flag("--verify", certified, "check the skeleton's certificate first");
-    c->footer("Examples:\n  osteon offset plan.xy --by 0.5,1,1.5 --format wkt\n  osteon offset plan.wkt --by 2 --outside --format xy -o grown.xy");
+    c->add_flag("--verify", certified, "check the skeleton's certificate first, and say so; ends with status 5 should it be refuted");
+    c->footer(
+        "Examples:\n  osteon generate gear -o gear.xy\n  osteon offset gear.xy --by 0.5,1,1.5 --format wkt\n"
+        "  osteon offset gear.xy --by 2 --outside --format xy -o grown.xy");
     c->callback([this] { run(); });
   }
 
   void run() const {
-    const plane::polygon<integer> p = read_polygon_file(file, outside);
     std::vector<rational> times;
     for (const auto& d : distances) {
       exact_number<integer> x;
       if (read_decimal(d, x) != number_fault::none || x.mantissa < 0) throw CLI::ValidationError("--by", d + " is no decimal number of at least 0");
       times.push_back(rational(x.mantissa) * power_of(x.ten, x.two));
     }
+    const destination to(output);
+    const plane::polygon<integer> p = read_polygon_text(input_text(file, "offset", subject::polygon), outside);
     plane::skeleton_options o;
     o.outside = outside;
-    if (outside) o.until = until(p, *std::max_element(times.begin(), times.end()));
+    if (outside && !certified) o.until = until(p, *std::max_element(times.begin(), times.end()));
     const planar_skeletons both = compute_planar(kernel, p, o);
-    if (certified && !outside) demand_certified(plane::rule_names, certify(p, kernel, both, outside));
+    if (certified) {  // the whole skeleton: there is no certificate of a part
+      demand_certified(plane::rule_names, certify(p, kernel, both, outside));
+      fmt::print(stderr, "osteon: note: the skeleton's certificate holds\n");
+    }
     const plane::offsets offsets(p, both.raw);
     std::vector<plane::offset_polygon<double>> results;
     for (const auto& t : times) results.push_back(outside ? complement(offsets.at(t)) : offsets.at(t));
     if (format == "xy" && (results.size() != 1 || results[0].parts > 1))
       throw CLI::ValidationError("--format", "xy text holds one distance and one part; take wkt or geojson");
-    const auto write = [&](std::ostream& out) {
+    to.write([&](std::ostream& out) {
       format == "wkt" ? write_wkt(out, results) : format == "xy" ? write_xy(out, results[0]) : write_geojson(out, results);
-    };
-    output.empty() ? write(std::cout) : write_file(output, write);
+    });
   }
 
   // The wavefront is followed a little longer than to the last offset.

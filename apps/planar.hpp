@@ -8,17 +8,13 @@
 
 #include <array>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "input.hpp"
 #include "osteon/evaluate/anchors.hpp"
 #include "osteon/evaluate/vertex_enclosures.hpp"
 #include "osteon/input/make_polygon.hpp"
@@ -33,46 +29,21 @@
 
 namespace osteon::app {
 
-inline constexpr const char* polygon_formats =
-    "a polygon as .xy text (x y [weight] a line, rings after blank lines), WKT, GeoJSON or an OBJ file with one flat face";
-
-/// Whether an OBJ text has a single face.
-inline bool has_one_face(std::istream& in) {
-  int faces = 0;
-  for (std::string line; faces < 2 && std::getline(in, line);)
-    if (const std::size_t at = line.find_first_not_of(" \t");
-        at != std::string::npos && line[at] == 'f' && at + 1 < line.size() && line[at + 1] <= ' ')
-      ++faces;
-  return faces == 1;
-}
-
-/// Whether a file is a polygon's: by its extension, standard input by its beginning (an OBJ text is a polyhedron's there); an OBJ file where
-/// it has a single face. Standard input can be read from its beginning afterwards.
-inline bool is_polygon_file(const std::string& file) {
-  if (file == "-") {
-    std::string head(1U << 16U, '\0');
-    std::cin.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(std::cin.gcount()));
-    const bool polygon = plane::guess_format("", head) != plane::format::obj;
-    static plane::detail::rewound whole(std::move(head), std::cin.rdbuf());
-    std::cin.rdbuf(&whole);  // clears the end of the file, too
-    return polygon;
-  }
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension != ".obj") return extension == ".xy" || extension == ".txt" || extension == ".wkt" || extension == ".geojson" || extension == ".json";
-  std::ifstream in(file, std::ios::binary);
-  return has_one_face(in);
-}
-
 /// A checked polygon, or what is outside of it; what was repaired is said on standard error. change(rings) is called before the check.
 template <class Change>
-plane::polygon<integer> read_polygon_file(const std::string& file, bool outside, Change change) {
+plane::polygon<integer> read_polygon_text(input_text text, bool outside, Change change) {
   auto rings = [&] {
-    if (file == "-") return plane::read_polygon<integer>(std::cin, "standard input");
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
-    return plane::read_polygon<integer>(in, file);
+    switch (text.format()) {
+      case text_format::xy:
+        return plane::read_xy<integer>(text.stream(), text.name());
+      case text_format::wkt:
+        return plane::read_wkt<integer>(text.stream(), text.name());
+      case text_format::geojson:
+        return plane::read_geojson<integer>(text.stream(), text.name());
+      case text_format::obj:
+        break;
+    }
+    return plane::read_flat_obj<integer>(text.stream(), text.name());
   }();
   change(rings);
   auto polygon = plane::make_polygon(std::move(rings), outside);
@@ -80,8 +51,8 @@ plane::polygon<integer> read_polygon_file(const std::string& file, bool outside,
   return polygon;
 }
 
-inline plane::polygon<integer> read_polygon_file(const std::string& file, bool outside) {
-  return read_polygon_file(file, outside, [](auto&) {});
+inline plane::polygon<integer> read_polygon_text(input_text text, bool outside) {
+  return read_polygon_text(std::move(text), outside, [](auto&) {});
 }
 
 /// A raw skeleton and, where the kernel is exact, the contracted one.

@@ -21,7 +21,6 @@
 
 namespace osteon::app {
 
-inline constexpr const char* planar_format = "osteon planar skeleton 1";
 inline constexpr std::array<const char*, 2> planar_event_names = {"edge", "split"};
 
 /// How a skeleton came about.

@@ -8,6 +8,7 @@
 #include "certify.hpp"
 #include "commands.hpp"
 #include "documents.hpp"
+#include "output.hpp"
 #include "planar.hpp"
 #include "planar_documents.hpp"
 
@@ -43,15 +44,20 @@ struct skeleton_command {
         "The counts of a polygon's skeleton are of nodes inside of it, arcs, and faces; \"raw\" are those of the polygon moved infinitely little so "
         "that\n"
         "no two events coincide.\n"
-        "Examples:\n  osteon skeleton house.xy --summary --verify\n  osteon skeleton bunny.obj --summary\n  osteon skeleton bunny.obj --prefer "
-        "min-volume --saddle faster --output bunny.json");
-    c->callback([this] { is_polygon_file(input.file) ? run_plane() : run(); });
+        "Examples:\n  osteon generate gear -o gear.xy\n  osteon skeleton gear.xy --summary --verify\n  osteon generate star -o star.obj\n"
+        "  osteon skeleton star.obj --prefer min-volume --saddle faster --output star.json");
+    c->callback([this] {
+      input_text text(input.file, "skeleton", subject::either);
+      text.is_polygon() ? run_plane(std::move(text)) : run(std::move(text));
+    });
   }
 
-  void run_plane() const {
-    if (prefer != "convex" || !saddle.empty() || input.flip || input.triangulate)
-      throw CLI::ValidationError(input.file, "--prefer, --saddle, --flip and --triangulate are for polyhedra");
-    const plane::polygon<integer> p = read_polygon_file(input.file, outside);
+  void run_plane(input_text text) const {
+    for (const auto& [option, given] : {std::pair("--prefer", prefer != "convex"), std::pair("--saddle", !saddle.empty()),
+                                        std::pair("--flip", input.flip), std::pair("--triangulate", input.triangulate)})
+      if (given) throw CLI::ValidationError(option, "is for polyhedra, and " + text.name() + " is a polygon");
+    const destination to(output);
+    const plane::polygon<integer> p = read_polygon_text(std::move(text), outside);
     plane::skeleton_options o;
     o.outside = outside;
     const auto begin = std::chrono::steady_clock::now();
@@ -59,7 +65,7 @@ struct skeleton_command {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     if (certified) demand_certified(plane::rule_names, certify(p, kernel, both, outside));
     const planar_provenance by = {kernel, outside};
-    if (!output.empty()) write_file(output, [&](std::ostream& out) { write_planar_skeleton(out, p, both, by); });
+    if (!output.empty() || !summary) to.write([&](std::ostream& out) { write_planar_skeleton(out, p, both, by); });
     if (summary) {
       json doc = {{"dimension", 2}, {"input", {{"vertices", p.points.size()}, {"holes", p.holes}}}, {"kernel", kernel}};
       const json raw = {{"nodes", both.raw.nodes.size() - p.points.size()}, {"arcs", both.raw.arcs.size()}, {"faces", faces_of(both.raw)}};
@@ -72,15 +78,14 @@ struct skeleton_command {
       doc["events"] = {{"edge", both.raw.events[0]}, {"split", both.raw.events[1]}};
       if (certified) doc["certified"] = true;
       doc["seconds"] = took.count();
-      fmt::print("{}\n", doc.dump());
-    } else if (output.empty()) {
-      write_planar_skeleton(std::cout, p, both, by);
+      standard_output() << doc.dump() << '\n';
     }
   }
 
-  void run() const {
-    if (outside) throw CLI::ValidationError("--outside", "is for polygons");
-    const solid<integer> s = input.read();
+  void run(input_text text) const {
+    if (outside) throw CLI::ValidationError("--outside", "is for polygons, and " + text.name() + " is a polyhedron");
+    const destination to(output);
+    const solid<integer> s = input.read(std::move(text));
     skeleton_options o;
     o.prefer = preferences.at(prefer);
     o.saddle = saddle.empty() ? default_saddle(o.prefer) : saddles.at(saddle);
@@ -93,7 +98,7 @@ struct skeleton_command {
       fmt::print(stderr, "osteon: note: vertices of high degree whose split is valid but perhaps not the preferred one: {}\n",
                  result.unproven_splits);
     const provenance by = {kernel, prefer, name_of(o.saddle)};
-    if (!output.empty()) write_file(output, skeleton_document(s, result, both.exact, by).dump() + "\n");
+    if (!output.empty() || !summary) to.write(skeleton_document(s, result, both.exact, by).dump() + "\n");
     if (summary) {
       json doc;
       doc["input"] = {{"vertices", s.boundary.vertices.size()}, {"edges", s.boundary.edges.size()}, {"facets", s.facets}};
@@ -105,9 +110,7 @@ struct skeleton_command {
       doc["ambiguous"] = result.ambiguous;
       if (certified) doc["certified"] = true;
       doc["seconds"] = took.count();
-      fmt::print("{}\n", doc.dump());
-    } else if (output.empty()) {
-      fmt::print("{}\n", skeleton_document(s, result, both.exact, by).dump());
+      standard_output() << doc.dump() << '\n';
     }
   }
 };

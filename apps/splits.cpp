@@ -3,6 +3,7 @@
 /// osteon splits: the ways to split one vertex.
 
 #include <fmt/format.h>
+#include <fmt/ostream.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -23,6 +24,7 @@
 #include "osteon/space/ambiguity.hpp"
 #include "osteon/space/split.hpp"
 #include "osteon/space/split_search.hpp"
+#include "output.hpp"
 
 namespace osteon::app {
 namespace {
@@ -62,7 +64,8 @@ struct splits_command {
         "seen from outside, become adjacent. `#` after a tree: one of its vertices lies infinitely far away on an edge\n"
         "of the solid, so that the tree splits the corner but not the solid. Candidates are the trees that obey the\n"
         "rules of single vertices and edges; `!` after a candidate: two edges of a facet cross, so it is not valid.\n"
-        "Examples:\n  osteon splits seastar.obj --vertex 12 --all\n  osteon splits cone.obj --vertex 1 --sample 5 --seed 7");
+        "Examples:\n  osteon generate cone -o cone.obj\n  osteon splits cone.obj --vertex 3 --all\n"
+        "  osteon splits cone.obj --vertex 3 --sample 5 --seed 7");
     c->callback([this] { run(); });
   }
 
@@ -131,7 +134,7 @@ struct splits_command {
         return true;
       }
       ++found;
-      fmt::print("{}{}\n", text_of(t), near ? "" : " #");
+      fmt::print(standard_output(), "{}{}\n", text_of(t), near ? "" : " #");
       return false;
     });
     if (all || found < most_listed) fmt::print(stderr, "{} valid\n", found);
@@ -153,7 +156,7 @@ struct splits_command {
           }
         });
         const auto tree = trees.tree(t);
-        fmt::print("{}{}\n", text_of(t), tree && trees.valid(*tree) ? "" : " !");
+        fmt::print(standard_output(), "{}{}\n", text_of(t), tree && trees.valid(*tree) ? "" : " !");
       }
       return true;
     });
@@ -179,13 +182,13 @@ struct splits_command {
       for (const auto& part : parts_of(a, from)) arc["parts"].push_back({{"front", part.front}, {"points", part.points}});
       doc["arcs"].push_back(std::move(arc));
     }
-    fmt::print("{}\n", doc.dump());
+    standard_output() << doc.dump() << '\n';
   }
 
  public:
   void run() const {
     if (!eye.empty() && eye[0] == 0 && eye[1] == 0 && eye[2] == 0) throw CLI::ValidationError("--eye", "0 0 0 is no direction");
-    const solid<integer> s = input.read();
+    const solid<integer> s = input.read("splits");
     const int id = vertex_at(s, input.file, vertex);
     const corner c = corner_at(s.boundary, id);
     const bool whole = c.degree() == 3 || s.boundary.vertices[static_cast<std::size_t>(id)].is_majority();  // never splits
@@ -195,7 +198,7 @@ struct splits_command {
       if (!whole) for_each_tree(s, c, [&valid](const operations&, bool) { return ++valid == 0; });
       doc["valid"] = whole ? 1 : valid;
       doc["method"] = whole ? "none" : (listed(c) ? "enumeration" : "search");
-      fmt::print("{}\n", doc.dump());
+      standard_output() << doc.dump() << '\n';
     } else if (count) {
       const auto k = default_kernel(s);
       const split_count counted = count_splits(k, s.boundary, id);
@@ -204,7 +207,7 @@ struct splits_command {
       if (!whole) doc["candidates"] = search_of(k, c, [](const auto& found) { return found.count().str(); });
       doc["valid"] = valid.str();
       doc["exact"] = counted.exact;
-      fmt::print("{}\n", doc.dump());
+      standard_output() << doc.dump() << '\n';
     } else {
       std::string facets;
       for (const plane_id f : c.facets) facets += fmt::format(" {}", f);

@@ -3,12 +3,10 @@
 /// \file
 /// osteon verify.
 
-#include <filesystem>
-#include <fstream>
-
 #include "certify.hpp"
 #include "commands.hpp"
 #include "documents.hpp"
+#include "output.hpp"
 #include "planar_documents.hpp"
 
 namespace osteon::app {
@@ -25,14 +23,11 @@ struct verify_command {
     c->add_option("SKELETON", file, "what osteon skeleton --output has written")->required();
     c->footer(
         "Prints one JSON object. Exit status 0: certified; 1: refuted, with the broken rule and a witness; 3: unreadable.\n"
-        "Example:\n  osteon skeleton bunny.obj --output bunny.json && osteon verify bunny.obj bunny.json");
-    c->callback([this] { is_polygon_file(input.file) ? run_plane() : run(); });
-  }
-
-  std::ifstream open() const {
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
-    return in;
+        "Examples:\n  osteon generate star -o star.obj\n  osteon skeleton star.obj --output star.json\n  osteon verify star.obj star.json");
+    c->callback([this] {
+      input_text text(input.file, "verify", subject::either);
+      text.is_polygon() ? run_plane(std::move(text)) : run(std::move(text));
+    });
   }
 
   template <class Names, class Refutation>
@@ -43,19 +38,17 @@ struct verify_command {
       doc["rule"] = names[static_cast<std::size_t>(broken->broken)];
       doc["witness"] = broken->witness;
     }
-    fmt::print("{}\n", doc.dump());
+    standard_output() << doc.dump() << '\n';
   }
 
-  void run() {
-    const solid<integer> s = input.read();
-    std::ifstream in = open();
-    report(rule_names, check(s, skeleton_reader(file, s).read(in)));
+  void run(input_text text) {
+    const solid<integer> s = input.read(std::move(text));
+    report(rule_names, check(s, skeleton_reader(file, s).read(*open_file(file))));
   }
 
-  void run_plane() {
-    std::ifstream in = open();
-    const planar_file given = planar_reader(file).read(in);
-    const plane::polygon<integer> p = read_polygon_file(input.file, given.by.outside);
+  void run_plane(input_text text) {
+    const planar_file given = planar_reader(file).read(*open_file(file));
+    const plane::polygon<integer> p = read_polygon_text(std::move(text), given.by.outside);
     report(plane::rule_names, given.lines == p.lines && given.boundary.next == p.boundary.next && given.boundary.line == p.boundary.line
                                   ? certify(p, given.by.kernel, given.skeletons, given.by.outside)
                                   : plane::refutation{plane::rule::structure, "the lines and edges are not those of the polygon"});
