@@ -523,6 +523,7 @@ class polygon_builder {
     o.line.reserve(order.size());
     p_.points.reserve(order.size());
     p_.input_points.reserve(order.size());
+    p_.input_edges.reserve(order.size());
     std::size_t size = 16;
     while (size < 2 * order.size()) size *= 2;
     table_.assign(size, -1);
@@ -531,6 +532,7 @@ class polygon_builder {
       o.line.push_back(line_of(v));
       p_.points.push_back(points_[point_of(v)]);
       p_.input_points.push_back(input_[v]);
+      p_.input_edges.push_back(weight_[v]);
     }
     o.lines = static_cast<int>(p_.lines.size());
   }
@@ -542,10 +544,12 @@ class polygon_builder {
       l.d = -l.d;
     }
     const boundary given = p_.boundary;
+    const std::vector<int> edges = p_.input_edges;
     for (std::size_t i = 0; i < given.next.size(); ++i) {
       const int to = given.next[i];
       p_.boundary.next[to] = static_cast<int>(i);
       p_.boundary.line[to] = given.line[i];
+      p_.input_edges[to] = edges[i];
     }
   }
 

@@ -39,6 +39,7 @@ struct polygon {
   plane::boundary boundary;
   std::vector<std::array<Int, 2>> points;  ///< of the vertices
   std::vector<int> input_points;           ///< their numbers in the input, counted through all rings from 0
+  std::vector<int> input_edges;            ///< by edge of the boundary: an edge of the input that it is part of, by the number of its first point
   int holes = 0;                           ///< clockwise boundaries of the outline: holes that touch are one, none if they touch the outer ring
   int parts = 0;                           ///< counter-clockwise ones: connected pieces of the interior
   std::array<Int, 2> shift{};

@@ -20,15 +20,12 @@
 #include "osteon/space/boundary.hpp"
 #include "osteon/space/catalogue.hpp"
 #include "osteon/space/facet_insertion.hpp"
+#include "osteon/space/preference.hpp"
 #include "osteon/space/preferred_split.hpp"
 #include "osteon/space/skeleton.hpp"
 #include "osteon/space/wavefront.hpp"
 
 namespace osteon {
-
-/// Which of the two outcomes a saddle has: the one with the convex or reflex new edge, or with the new edge that moves
-/// slower or faster (by the angle between its facets' normals; the convex and the reflex one in a tie).
-enum class saddle_rule : std::uint8_t { convex, reflex, slower, faster };
 
 struct skeleton_options {
   split_preference prefer = split_preference::convex;
@@ -36,11 +33,6 @@ struct skeleton_options {
   /// Where given, nothing is preferred: splits (see random_split) and outcomes of saddles are drawn, the same ones for the same number.
   std::optional<std::uint64_t> explore = std::nullopt;
 };
-
-/// The rule that goes with a preference where none is asked for.
-constexpr saddle_rule default_saddle(split_preference p) {
-  return p == split_preference::reflex || p == split_preference::min_volume ? saddle_rule::reflex : saddle_rule::convex;
-}
 
 /// One run of the wavefront. Candidates for events are meetings of four planes, nothing more: whether one is an event
 /// is read off the wavefront at its moment, so candidates never become stale and need no bookkeeping.

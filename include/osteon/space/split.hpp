@@ -20,18 +20,10 @@
 #include "osteon/core/error.hpp"
 #include "osteon/core/kernel.hpp"
 #include "osteon/space/corner.hpp"
+#include "osteon/space/preference.hpp"
 #include "osteon/space/segment.hpp"
 
 namespace osteon {
-
-/// Which valid tree a vertex is split by.
-enum class split_preference : std::uint8_t {
-  convex,      ///< most convex edges
-  reflex,      ///< most reflex edges
-  min_volume,  ///< least volume of the offset
-  max_volume,  ///< greatest volume of the offset
-  first        ///< the first that is found
-};
 
 /// An edge of a split corner between the facets a and b of the corner. Where a facet's plane occurs twice around the
 /// corner, two of its facets may become one; then an edge runs on between both of them and the facet across.

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// Exact numbers that a caller hands over: weights, distances, times.
+
+#include <concepts>
+#include <string>
+#include <utility>
+
+namespace osteon {
+
+/// An exact number: a double, taken with all its bits, or decimal text such as "0.1" or "-2.5e-3",
+/// taken as written. The text is not looked at before the number is used: what takes a decimal
+/// throws input_error(bad_number) where the text is no number.
+class decimal {
+ public:
+  /// Takes a floating-point number exactly.
+  template <std::floating_point Number>
+  decimal(Number x) : value_(static_cast<double>(x)) {}  // NOLINT: a number is one
+  /// Takes a whole number exactly.
+  template <std::integral Number>
+  decimal(Number x) : text_(std::to_string(x)) {}  // NOLINT
+  /// Takes decimal text.
+  decimal(std::string text) : text_(std::move(text)) {}  // NOLINT
+  /// Takes decimal text.
+  decimal(const char* text) : text_(text) {}  // NOLINT
+
+  /// Returns the text, or nothing but "" where the number is a double.
+  const std::string& text() const { return text_; }
+  /// Returns the double; meaningless where there is a text.
+  double value() const { return value_; }
+
+ private:
+  double value_ = 0;
+  std::string text_;
+};
+
+}  // namespace osteon

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The plane with all exact kernels but the default one.
+
+#include "plane_recipe.hpp"
+
+#include "any_kernel.hpp"
+#include "osteon/kernel/rational.hpp"
+
+namespace osteon {
+
+plane_result run_rational(const plane_question& q) {
+  const auto k = perturbed_kernel(q.polygon, make_rational_kernel(q.polygon.lines));
+  plane_result r{raw_skeleton(any_kernel<2>(k), q), std::nullopt};
+  r.exact = plane::contract(any_kernel<2>(k.base()), q.polygon.boundary.line, r.raw);
+  return r;
+}
+
+std::optional<skeleton_refutation> certify_rational(const plane_question& q, const plane_result& r) {
+  const auto k = perturbed_kernel(q.polygon, make_rational_kernel(q.polygon.lines));
+  return certify(any_kernel<2>(k), any_kernel<2>(k.base()), q, r);
+}
+
+}  // namespace osteon
