@@ -3,10 +3,16 @@
 /// \file
 /// osteon generate.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "commands.hpp"
-#include "common.hpp"
-#include "osteon/models/polygons.hpp"
-#include "osteon/models/polyhedra.hpp"
+#include "osteon/osteon.hpp"
 #include "output.hpp"
 
 namespace osteon::app {
@@ -20,22 +26,16 @@ struct generate_command {
 
   void add_to(CLI::App& program) {
     CLI::App* c = program.add_subcommand("generate", "write a model of the project: a polyhedron as OBJ or a polygon as .xy text");
-    std::vector<std::string> known;
     std::string list = "Polyhedra, and the meaning of --size:\n";
-    const auto add = [&](const auto& k) {
-      known.emplace_back(k.name);
+    bool polygons = false;
+    for (const model_kind& k : model_kinds()) {
+      if (k.is_polygon && !polygons) list += "Polygons:\n";
+      polygons = k.is_polygon;
       list += fmt::format("  {:20} {} (default {})\n", k.name, k.size, k.default_size);
-    };
-    for (const auto& k : models::kinds()) add(k);
-    list += "Polygons:\n";
-    for (const auto& k : plane::models::kinds()) add(k);
+    }
     c->add_option("KIND", kind, "what to make")
         ->required()
-        ->check(CLI::Validator(
-            [known](const std::string& name) {
-              return std::find(known.begin(), known.end(), name) != known.end() ? "" : name + " is no kind of model";
-            },
-            ""));
+        ->check(CLI::Validator([](const std::string& name) { return find(name) != nullptr ? "" : name + " is no kind of model"; }, ""));
     c->add_option("--size", size, "see below");
     c->add_option("--seed", seed, "for the random ones")->capture_default_str();
     c->add_option("-o,--output", output, "the file; standard output where it is missing");
@@ -45,40 +45,20 @@ struct generate_command {
 
   void run() const {
     const destination to(output);
-    to.write(polyhedron().value_or(polygon().value_or("")));
+    const model_kind& k = *find(kind);
+    const int n = size.value_or(k.default_size);
+    if (n < k.least_size || n > k.greatest_size)
+      throw CLI::ValidationError("--size", fmt::format("{} needs a size between {} and {}", kind, k.least_size, k.greatest_size));
+    to.write([&](std::ostream& out) {
+      out << fmt::format("# osteon generate {} --size {} --seed {}\n", kind, n, seed);
+      write_model(out, kind, n, seed);
+    });
   }
 
-  // The kind's entry in a table and the size wanted, if the table has it.
-  template <class Kinds>
-  auto find(const Kinds& all, int greatest) const -> std::optional<std::pair<typename Kinds::value_type, int>> {
-    const auto k = std::find_if(all.begin(), all.end(), [this](const auto& x) { return x.name == kind; });
-    if (k == all.end()) return std::nullopt;
-    if constexpr (requires { k->greatest_size; }) greatest = k->greatest_size;
-    const int n = size.value_or(k->default_size);
-    if (n < k->least_size || n > greatest)
-      throw CLI::ValidationError("--size", fmt::format("{} needs a size between {} and {}", kind, k->least_size, greatest));
-    return std::pair(*k, n);
-  }
-  std::string heading(int n) const { return fmt::format("# osteon generate {} --size {} --seed {}\n", kind, n, seed); }
-
-  std::optional<std::string> polygon() const {
-    const auto k = find(plane::models::kinds(), 0);
-    if (!k) return std::nullopt;
-    return heading(k->second) + plane::models::to_xy(k->first.make(k->second, seed));
-  }
-
-  std::optional<std::string> polyhedron() const {
-    const auto k = find(models::kinds(), 1000);
-    if (!k) return std::nullopt;
-    std::string text = heading(k->second);
-    const auto m = k->first.make(k->second, seed).template take<integer>();
-    for (const auto& p : m.points) text += fmt::format("v {} {} {}\n", p[0].mantissa.str(), p[1].mantissa.str(), p[2].mantissa.str());
-    for (const auto& f : m.facets) {
-      text += "f";
-      for (const int corner : f) text += fmt::format(" {}", corner + 1);
-      text += "\n";
-    }
-    return text;
+  static const model_kind* find(const std::string& name) {
+    const auto& all = model_kinds();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const model_kind& k) { return k.name == name; });
+    return found == all.end() ? nullptr : &*found;
   }
 };
 

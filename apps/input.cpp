@@ -67,32 +67,32 @@ std::string_view skip_blanks(std::string_view text) {
 }
 
 /// The form that the first word of a text has, where no other form begins like that.
-std::optional<text_format> format_of_text(std::string_view text) {
+std::optional<polygon_format> format_of_text(std::string_view text) {
   static constexpr std::array<std::string_view, 8> geometries = {"POINT",           "LINESTRING",         "POLYGON", "MULTIPOINT", "MULTIPOLYGON",
                                                                  "MULTILINESTRING", "GEOMETRYCOLLECTION", "SRID"};
   static constexpr std::array<std::string_view, 14> statements = {"v", "vt", "vn", "vp", "f",      "l",      "p",
                                                                   "g", "o",  "s",  "mg", "usemtl", "mtllib", "usemap"};
   text = skip_blanks(text);
   if (text.empty()) return std::nullopt;
-  if (text[0] == '{') return text_format::geojson;
+  if (text[0] == '{') return polygon_format::geojson;
   const std::size_t digit = text.find_first_not_of("+-.");
-  if (digit < 3 && std::isdigit(static_cast<unsigned char>(text[digit])) != 0) return text_format::xy;
+  if (digit < 3 && std::isdigit(static_cast<unsigned char>(text[digit])) != 0) return polygon_format::xy;
   const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n(=;"));
-  if (std::find(statements.begin(), statements.end(), word) != statements.end()) return text_format::obj;
+  if (std::find(statements.begin(), statements.end(), word) != statements.end()) return polygon_format::obj;
   std::string capitals(word.substr(0, 40));
   for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   for (const std::string_view geometry : geometries)  // Z, M or ZM may follow
-    if (capitals.starts_with(geometry) && capitals.find_first_not_of("ZM", geometry.size()) == std::string::npos) return text_format::wkt;
+    if (capitals.starts_with(geometry) && capitals.find_first_not_of("ZM", geometry.size()) == std::string::npos) return polygon_format::wkt;
   return std::nullopt;
 }
 
-std::optional<text_format> format_of_name(const std::string& file) {
-  static constexpr std::array<std::pair<std::string_view, text_format>, 6> endings = {{{".obj", text_format::obj},
-                                                                                       {".xy", text_format::xy},
-                                                                                       {".txt", text_format::xy},
-                                                                                       {".wkt", text_format::wkt},
-                                                                                       {".geojson", text_format::geojson},
-                                                                                       {".json", text_format::geojson}}};
+std::optional<polygon_format> format_of_name(const std::string& file) {
+  static constexpr std::array<std::pair<std::string_view, polygon_format>, 6> endings = {{{".obj", polygon_format::obj},
+                                                                                          {".xy", polygon_format::xy},
+                                                                                          {".txt", polygon_format::xy},
+                                                                                          {".wkt", polygon_format::wkt},
+                                                                                          {".geojson", polygon_format::geojson},
+                                                                                          {".json", polygon_format::geojson}}};
   std::string ending = std::filesystem::path(file).extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const auto* found = std::find_if(endings.begin(), endings.end(), [&](const auto& e) { return e.first == ending; });
@@ -136,8 +136,8 @@ input_text::input_text(const std::string& file, const std::string& command, subj
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(in.gcount()));
 
-  const std::optional<text_format> told = format_of_text(head);
-  const std::optional<text_format> named = file == "-" ? std::nullopt : format_of_name(file);
+  const std::optional<polygon_format> told = format_of_text(head);
+  const std::optional<polygon_format> named = file == "-" ? std::nullopt : format_of_name(file);
   if (!told && !named && head.size() < head_size && skip_blanks(head).empty()) refuse(input_fault::empty, "there is nothing in it");
   if (!told && !named) refuse(input_fault::unreadable, "this is nothing that `osteon " + command + "` can read");
   format_ = told ? *told : *named;
@@ -148,19 +148,19 @@ input_text::input_text(const std::string& file, const std::string& command, subj
     in.seekg(0);
   };
   int facets = 2;  // of an OBJ text, as far as can be seen
-  if (format_ == text_format::obj && is_file) {
+  if (format_ == polygon_format::obj && is_file) {
     rewind();
     facets = count_facets(in);
   } else if (takes == subject::polygon) {
     std::istringstream beginning(head);
     facets = count_facets(beginning);
   }
-  is_polygon_ = format_ != text_format::obj || facets == 1 || (takes == subject::polygon && facets == 0);
+  is_polygon_ = format_ != polygon_format::obj || facets == 1 || (takes == subject::polygon && facets == 0);
   if (takes == subject::polygon && !is_polygon_)
     refuse(input_fault::not_polygon, "an OBJ file with several facets is a solid, and `osteon " + command + "` takes polygons");
   if (takes == subject::polyhedron && is_polygon_)
-    refuse(input_fault::not_obj, (format_ == text_format::obj ? "an OBJ file with one facet" : "this") + std::string(" is a polygon, and `osteon ") +
-                                     command + "` takes polyhedra");
+    refuse(input_fault::not_obj, (format_ == polygon_format::obj ? "an OBJ file with one facet" : "this") +
+                                     std::string(" is a polygon, and `osteon ") + command + "` takes polyhedra");
   if (is_file) {
     rewind();
     stream_ = std::move(opened);

@@ -7,17 +7,15 @@
 #include <cstdint>
 #include <istream>
 #include <memory>
-#include <optional>
 #include <string>
+
+#include "osteon/door/polygon.hpp"
 
 namespace osteon::app {
 
 /// Lists, for `--help` and messages, the forms in which a polygon may come.
 inline constexpr const char* polygon_formats =
     "a polygon as .xy text (x y [weight] a line, rings after blank lines), WKT, GeoJSON or an OBJ file with one flat face";
-
-/// The form of a text.
-enum class text_format : std::uint8_t { obj, xy, wkt, geojson };
 
 /// What a command takes.
 enum class subject : std::uint8_t { polyhedron, polygon, either };
@@ -31,8 +29,8 @@ class input_text {
 
   /// Returns the text's name for messages.
   const std::string& name() const { return name_; }
-  /// Returns the text's form.
-  text_format format() const { return format_; }
+  /// Returns the text's form, never `guessed`; polyhedra have the form `obj`.
+  polygon_format format() const { return format_; }
   /// Returns whether it is a polygon's: an OBJ text is where it has a single facet. Of an OBJ text that cannot be read twice, like standard
   /// input, the command decides: a polyhedron where it takes both.
   bool is_polygon() const { return is_polygon_; }
@@ -42,7 +40,7 @@ class input_text {
  private:
   std::string name_;
   std::unique_ptr<std::istream> stream_;
-  text_format format_ = text_format::obj;
+  polygon_format format_ = polygon_format::obj;
   bool is_polygon_ = false;
 };
 

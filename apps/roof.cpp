@@ -3,15 +3,19 @@
 /// \file
 /// osteon roof.
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "certify.hpp"
 #include "commands.hpp"
-#include "json_reader.hpp"
-#include "osteon/evaluate/roof.hpp"
+#include "options.hpp"
 #include "output.hpp"
-#include "planar.hpp"
 
 namespace osteon::app {
 namespace {
@@ -39,7 +43,7 @@ struct roof_command {
     auto* e =
         c->add_option("--edge-angle", angles,
                       "N=DEGREES: slope of the face of the edge that starts at point N of the file, counted from 1 through all rings; 90 is a gable");
-    c->add_option("--eaves", eaves, "height of the polygon")->check(finite_from(0))->capture_default_str();
+    c->add_option("--eaves", eaves, "height of the polygon")->check(finite_number(0))->capture_default_str();
     c->add_flag("--walls", walls, "walls from the eaves down to height 0");
     c->add_flag("--triangulate", triangulate, "cut all faces into triangles");
     c->add_flag("--summary", summary, "print one JSON object with counts and the greatest height");
@@ -54,42 +58,32 @@ struct roof_command {
 
   void run(bool one_angle) const {
     const destination to(output);
-    const plane::polygon<integer> p = read_polygon_text(input_text(file, "roof", subject::polygon), false, [&](plane::rings<integer>& r) {
-      if (one_angle || !angles.empty()) set_angles(r);
-    });
-    const planar_skeletons both = compute_planar("sqrt", p);
-    plane::roof_options o;
-    o.slope = slope;
-    o.eaves = eaves;
-    o.walls = walls;
-    o.triangulate = triangulate;
-    const plane::roof_mesh mesh = plane::make_roof(p, both.raw, *both.exact, o);
-    if (!output.empty() || !summary) to.write([&](std::ostream& out) { plane::write_obj(out, mesh); });
-    if (summary) {
-      double top = eaves;
-      for (const auto& point : mesh.points) top = std::max(top, point[2]);
-      json doc = {{"points", mesh.points.size()}, {"faces", mesh.faces.size()}, {"height", top}};
-      standard_output() << doc.dump() << '\n';
-    }
+    polygon p = read_polygon_text(input_text(file, "roof", subject::polygon), checking::later);
+    if (one_angle || !angles.empty()) set_angles(p);
+    const polygon_skeleton s = skeletonize(std::move(p));
+    print_notes(s.notes());
+    const mesh roof = s.roof({.slope = slope, .eaves = eaves, .walls = walls, .triangulate = triangulate});
+    if (!output.empty() || !summary) to.write([&](std::ostream& out) { write_obj(out, roof); });
+    if (!summary) return;
+    double top = eaves;
+    for (const auto& point : roof.points) top = std::max(top, point[2]);
+    const nlohmann::ordered_json doc = {{"points", roof.points.size()}, {"faces", roof.facets.size()}, {"height", top}};
+    standard_output() << doc.dump() << '\n';
   }
 
   static bool is_angle(double degrees) { return degrees > 0 && degrees <= 90; }
 
   // Angles become weights; they take the place of those in the file.
-  void set_angles(plane::rings<integer>& r) const {
-    std::vector<exact_number<integer>*> weights;
-    for (auto& ring : r.all) {
-      ring.weights.assign(ring.points.size(), *from_double<integer>(plane::weight_of_slope(angle)));
-      for (auto& w : ring.weights) weights.push_back(&w);
-    }
+  void set_angles(polygon& p) const {
+    p.set_weights(weight_of_angle(angle));
     for (const auto& text : angles) {
-      std::size_t point = 0;
+      int point = 0;
       double degrees = 0;
       char rest = 0;
-      if (std::sscanf(text.c_str(), "%zu=%lf%c", &point, &degrees, &rest) != 2 || point < 1 || point > weights.size())
-        throw CLI::ValidationError("--edge-angle", fmt::format("{} is not N=DEGREES with a point N from 1 to {}", text, weights.size()));
+      if (std::sscanf(text.c_str(), "%d=%lf%c", &point, &degrees, &rest) != 2 || point < 1 || point > p.edges())
+        throw CLI::ValidationError("--edge-angle", fmt::format("{} is not N=DEGREES with a point N from 1 to {}", text, p.edges()));
       if (!is_angle(degrees)) throw CLI::ValidationError("--edge-angle", text + ": the angle is not above 0 and up to 90 degrees");
-      *weights[point - 1] = *from_double<integer>(plane::weight_of_slope(degrees));
+      p.set_weight(point - 1, weight_of_angle(degrees));
     }
   }
 };

@@ -49,8 +49,7 @@ const std::vector<model_kind>& model_kinds() {
 void write_model(std::ostream& out, std::string_view kind, int size, std::uint64_t seed) {
   const auto& all = model_kinds();
   const auto found = std::find_if(all.begin(), all.end(), [kind](const model_kind& k) { return k.name == kind; });
-  if (found == all.end())
-    throw input_error(input_fault::bad_index, 0, "there is no model '" + std::string(kind) + "'", "take one of model_kinds()");
+  if (found == all.end()) throw input_error(input_fault::bad_index, 0, "there is no model '" + std::string(kind) + "'", "take one of model_kinds()");
   if (size < found->least_size || size > found->greatest_size)
     throw input_error(input_fault::absurd_size, 0, found->name + " has no size " + std::to_string(size),
                       "give one from " + std::to_string(found->least_size) + " to " + std::to_string(found->greatest_size));
