@@ -3,14 +3,13 @@
 /// \file
 /// Roofs, and meshes as text.
 
-#include "osteon/door/mesh.hpp"
+#include "polygon_skeleton_data.hpp"
 
 #include <ostream>
 #include <utility>
 
 #include "osteon/core/error.hpp"
 #include "osteon/evaluate/roof.hpp"
-#include "polygon_skeleton_data.hpp"
 
 namespace osteon {
 

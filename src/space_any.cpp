@@ -7,16 +7,18 @@
 
 #include <string>
 
-#include "any_kernel.hpp"
+#include "any_run.hpp"
 #include "osteon/core/error.hpp"
 #include "osteon/kernel/double.hpp"
 #include "osteon/kernel/rational.hpp"
 
 namespace osteon {
 
+skeleton raw_any(const any_kernel<3>& k, const solid<integer>& s, const skeleton_options& o) { return straight_skeleton(k, s.boundary, o); }
+
 space_result run_rational(const solid<integer>& s, const skeleton_options& o) {
   const auto k = perturbed_kernel(s, make_rational_kernel(s.planes));
-  space_result r{straight_skeleton(any_kernel<3>(k), s.boundary, o), std::nullopt};
+  space_result r{raw_any(any_kernel<3>(k), s, o), std::nullopt};
   r.exact = contract(any_kernel<3>(k.base()), s.boundary, r.raw);
   return r;
 }
@@ -24,7 +26,7 @@ space_result run_rational(const solid<integer>& s, const skeleton_options& o) {
 space_result run_floating(const solid<integer>& s, const skeleton_options& o) {
   const auto k = make_double_kernel(s.planes);
   try {
-    return {straight_skeleton(any_kernel<3>(k), s.boundary, o), std::nullopt};
+    return {raw_any(any_kernel<3>(k), s, o), std::nullopt};
   } catch (const invariant_error& e) {  // what an exact kernel promises machine numbers break
     const std::string text = e.what();
     throw undecided_error("the kernel's answers contradict each other (" + text.substr(text.find(": ") + 2) + "); hint: use an exact kernel");

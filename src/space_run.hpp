@@ -21,6 +21,9 @@ struct space_result {
   std::optional<contracted_skeleton> exact;
 };
 
+/// Computes the raw skeleton alone with the default kernel.
+skeleton raw_sqrt(const solid<integer>& s, const skeleton_options& o);
+
 /// Computes a skeleton with the default kernel, with rational numbers, or with machine numbers.
 space_result run_sqrt(const solid<integer>& s, const skeleton_options& o);
 space_result run_rational(const solid<integer>& s, const skeleton_options& o);

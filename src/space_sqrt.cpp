@@ -9,6 +9,10 @@
 
 namespace osteon {
 
+skeleton raw_sqrt(const solid<integer>& s, const skeleton_options& o) {
+  return straight_skeleton(perturbed_kernel(s, make_sqrt_kernel(s.planes)), s.boundary, o);
+}
+
 space_result run_sqrt(const solid<integer>& s, const skeleton_options& o) {
   const auto k = perturbed_kernel(s, make_sqrt_kernel(s.planes));
   space_result r{straight_skeleton(k, s.boundary, o), std::nullopt};

@@ -29,12 +29,6 @@ struct split_count {
   bool exact;  ///< false: there are at least so many
 };
 
-/// A candidate that was drawn.
-struct drawn_split {
-  split_tree tree;
-  bool valid;  ///< no two edges of a facet cross
-};
-
 /// The tree that is preferred.
 struct preferred_split {
   split_tree tree;
@@ -91,8 +85,9 @@ class vertex_splits {
   /// Returns how many trees are valid: exactly up to ten thousand, else from below. *Throws* as
   /// for_each.
   split_count count() const;
-  /// Draws candidates, each with the same chance. *Throws* as for_each.
-  std::vector<drawn_split> sample(int number, std::uint64_t seed) const;
+  /// Calls visit(tree, valid) for candidates that are drawn, each with the same chance. In a tree
+  /// that is not valid two edges of a facet cross. *Throws* as for_each.
+  void sample(int number, std::uint64_t seed, const std::function<void(const split_tree&, bool valid)>& visit) const;
   /// Returns the preferred valid tree; nothing for a whole vertex, and where no tree is valid,
   /// which happens where three planes share an edge's line.
   std::optional<preferred_split> preferred(split_preference p) const;
@@ -156,19 +151,26 @@ struct event_picture {
 /// certified. *Throws* unsupported_error else.
 event_picture picture_of(const polyhedron_skeleton::node& event);
 
-/// How often the predicates were asked, and how many of these questions floating point left to
-/// exact numbers.
+/// How often the algorithms asked each predicate, and how often floating point left a sign to exact
+/// numbers. In units of questions; an exact number of them is that of one run and says nothing about
+/// time.
 struct predicate_statistics {
-  struct counter {
-    std::uint64_t asked = 0;
-    std::uint64_t exact = 0;
-  };
-  counter orientation, side, compare, closing, compare_volume;
-  std::uint64_t meetings = 0;  ///< computed
+  std::uint64_t orientation = 0;     ///< how planes meet
+  std::uint64_t side = 0;            ///< on which side of a plane a vertex is
+  std::uint64_t compare = 0;         ///< which of two meetings is earlier
+  std::uint64_t meetings = 0;        ///< made from planes
+  std::uint64_t compare_volume = 0;  ///< of two splits
+
+  std::uint64_t exact_orientation = 0;  ///< determinants of normals
+  std::uint64_t exact_offset = 0;       ///< numerators of times
+  std::uint64_t exact_closing = 0;      ///< denominators of times
+  std::uint64_t exact_cross = 0;        ///< differences of times
 };
 
-/// Computes a skeleton and counts. *Throws* as skeletonize.
+/// Computes a raw skeleton and counts. *Requires* an exact kernel. *Throws* as skeletonize, and
+/// unsupported_error for number_kernel::floating.
 predicate_statistics count_predicates(const polyhedron& p, const polyhedron_options& options = {});
+/// The same for a polygon, with a run to the end.
 predicate_statistics count_predicates(const polygon& p, const polygon_options& options = {});
 
 }  // namespace osteon::inspect

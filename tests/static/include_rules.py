@@ -19,6 +19,7 @@ HOMES = {
     "core": "include/osteon/core", "space": "include/osteon/space", "plane": "include/osteon/plane",
     "input": "include/osteon/input", "models": "include/osteon/models",
     "kernel": "kernels/osteon/kernel", "evaluate": "kernels/osteon/evaluate",
+    "door": "include/osteon/door",
 }
 ALLOWED = {
     "core": set(),
@@ -28,6 +29,7 @@ ALLOWED = {
     "models": {"core", "input"},
     "kernel": {"core", "input/moving_plane.hpp"},
     "evaluate": {"core", "kernel", "space", "plane", "input"},
+    "door": {"core/error.hpp", "core/sign.hpp", "space/preference.hpp"},
 }
 # Libraries of others, by the folder that may name them.
 OUTSIDE = {"kernel": ("boost/", "gmp.h"), "evaluate": ("boost/", "gmp.h")}

@@ -104,9 +104,6 @@ class polyhedron_skeleton {
   using handle = shared_view<data>;
   /// Makes the view; for the library.
   explicit polyhedron_skeleton(handle view) : view_(std::move(view)) {}
-  /// Returns what the library has computed. Opaque.
-  const data& access() const& { return *view_.data; }
-  const data& access() const&& = delete;
 
  private:
   handle view_;
@@ -143,6 +140,10 @@ class polyhedron_skeleton::node {
   std::vector<arc> arcs() const;
   /// Returns the nodes of the raw skeleton at this place, ascending; a raw node itself.
   std::vector<node> raw_nodes() const;
+
+  /// Returns what the library has computed. Opaque, and not to be kept longer than the node.
+  const data& access() const& { return *of_.data; }
+  const data& access() const&& = delete;
 
   using handle = polyhedron_skeleton::handle;
   node(handle of, int id) : of_(std::move(of)), id_(id) {}

@@ -58,9 +58,8 @@ class surface_reader {
     if (past_ == static_cast<int>(raw_.nodes.size())) return {};  // all is over
     collect_ends();
     link_lines();
-    join_points();
     trace();
-    drop_straight();
+    collect();
     return std::move(result_);
   }
 
@@ -172,22 +171,6 @@ class surface_reader {
     return k_.closing(next_) * (r % 2 == 0 ? -turn : turn);
   }
 
-  // Vertices between which an edge has no length are one point.
-  void join_points() {
-    disjoint_sets same(raw_.arcs.size());
-    for (const edge& e : edges_)
-      if (e.is_zero) same.unite(ends_[e.ends[0]].arc, ends_[e.ends[1]].arc);
-    point_of_.assign(raw_.arcs.size(), -1);
-    for (const edge_end& e : ends_) {
-      int& p = point_of_[same.find(e.arc)];
-      if (p < 0) {
-        p = static_cast<int>(result_.arcs.size());
-        result_.arcs.push_back(e.arc);
-      }
-      point_of_[e.arc] = p;
-    }
-  }
-
   // A half-edge is 2 * edge + number of its facet among the edge's two. A convex edge has its first
   // facet on the left.
   int tail_of(int half) const { return edges_[half / 2].ends[edges_[half / 2].convex == (half % 2 == 0) ? 0 : 1]; }
@@ -213,48 +196,46 @@ class surface_reader {
     return next;
   }
 
+  // Rings of half-edges that have a length, with the facet on the left.
   void trace() {
     std::vector<bool> seen(2 * edges_.size(), false);
+    before_.assign(seen.size(), -1);
     for (std::size_t h = 0; h < seen.size(); ++h) {
       if (seen[h]) continue;
-      wavefront_surface::ring ring{edges_[h / 2].planes[h % 2], {}};
+      auto& ring = rings_.emplace_back();
       for (int at = static_cast<int>(h); !seen[at]; at = after(at)) {
         seen[at] = true;
-        if (!edges_[at / 2].is_zero) ring.points.push_back(point_of_[ends_[tail_of(at)].arc]);
+        if (!edges_[at / 2].is_zero) ring.push_back(at);
       }
-      result_.rings.push_back(std::move(ring));
+      for (std::size_t i = 0; i < ring.size(); ++i) before_[ring[i]] = ring[i == 0 ? ring.size() - 1 : i - 1];
     }
-    std::stable_sort(result_.rings.begin(), result_.rings.end(), [](const auto& r, const auto& s) { return r.plane < s.plane; });
   }
 
-  // A point where nothing but one edge is left lies within that edge.
-  void drop_straight() {
-    std::vector<std::array<int, 2>> edges_at(result_.arcs.size(), {0, -1});  // how many, and the first
-    std::vector<bool> bent(result_.arcs.size(), false);
-    for (const edge& e : edges_) {
-      if (e.is_zero) continue;
-      for (const int end : e.ends) {
-        const int p = point_of_[ends_[end].arc];
-        auto& [number, first] = edges_at[p];
-        if (first < 0) first = static_cast<int>(&e - edges_.data());
-        bent[p] = bent[p] || ++number > 2 || edges_[first].planes != e.planes;
+  // A point is a fan of facets: half-edges leave it whose predecessors are twins of others that do.
+  void collect() {
+    disjoint_sets fans(before_.size());
+    for (std::size_t h = 0; h < before_.size(); ++h)
+      if (before_[h] >= 0) fans.unite(static_cast<int>(h), before_[h] ^ 1);
+    std::vector<int> degree(before_.size(), 0);  // by representative
+    for (std::size_t h = 0; h < before_.size(); ++h)
+      if (before_[h] >= 0) ++degree[fans.find(static_cast<int>(h))];
+    std::vector<int> point(before_.size(), -1);
+    for (const auto& ring : rings_) {
+      wavefront_surface::ring to{-1, {}};
+      for (const int h : ring) {
+        const int fan = fans.find(h);
+        // Where nothing but one edge passes there is no point.
+        if (degree[fan] == 2 && edges_[h / 2].planes == edges_[before_[h] / 2].planes) continue;
+        if (point[fan] < 0) {
+          point[fan] = static_cast<int>(result_.arcs.size());
+          result_.arcs.push_back(ends_[tail_of(h)].arc);
+        }
+        to.plane = edges_[h / 2].planes[h % 2];
+        to.points.push_back(point[fan]);
       }
+      if (to.points.size() >= 3) result_.rings.push_back(std::move(to));
     }
-    std::vector<int> number(result_.arcs.size(), -1);
-    int kept = 0;
-    for (auto& r : result_.rings) {
-      std::erase_if(r.points, [&](int p) { return !bent[p]; });
-      for (int& p : r.points) {
-        int& n = number[p];
-        if (n < 0) n = kept++;
-        p = n;
-      }
-    }
-    std::erase_if(result_.rings, [](const auto& r) { return r.points.size() < 3; });
-    std::vector<int> arcs(static_cast<std::size_t>(kept));
-    for (std::size_t p = 0; p < number.size(); ++p)
-      if (number[p] >= 0) arcs[number[p]] = result_.arcs[p];
-    result_.arcs = std::move(arcs);
+    std::stable_sort(result_.rings.begin(), result_.rings.end(), [](const auto& r, const auto& s) { return r.plane < s.plane; });
   }
 
   const K& k_;
@@ -266,8 +247,9 @@ class surface_reader {
   std::vector<int> polygons_;                // by end: the representative of its sheet
   std::vector<std::array<int, 6>> ends_of_;  // by arc and slot
   std::vector<edge> edges_;
-  std::vector<int> edge_of_;   // by end
-  std::vector<int> point_of_;  // by arc
+  std::vector<int> edge_of_;  // by end
+  std::vector<std::vector<int>> rings_;
+  std::vector<int> before_;  // by half-edge that has a length
   wavefront_surface result_;
 };
 
