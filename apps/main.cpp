@@ -13,7 +13,7 @@
 
 #include "commands.hpp"
 #include "exit_status.hpp"
-#include "osteon/core/error.hpp"
+#include "osteon/osteon.hpp"
 #include "output.hpp"
 
 namespace osteon::app {
@@ -41,7 +41,7 @@ exit_status run(int argc, char** argv) {
   program.get_formatter()->label("SUBCOMMAND", "COMMAND");
   program.get_formatter()->label("Subcommands", "Commands");
   program.require_subcommand(1);
-  program.set_version_flag("--version", "osteon 0.1.0");
+  program.set_version_flag("--version", "osteon " + std::string(version()));
   program.failure_message(describe_misuse);
   program.footer("`osteon COMMAND --help` has the options of a command, with examples.\n" + describe_exit_statuses() +
                  "\nExamples:\n  osteon generate star -o star.obj\n  osteon skeleton star.obj --summary");
