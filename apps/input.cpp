@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/core/error.hpp"
+#include "osteon/osteon.hpp"
 
 namespace osteon::app {
 namespace {
