@@ -3,34 +3,40 @@
 /// \file
 /// osteon generate.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "commands.hpp"
-#include "common.hpp"
-#include "osteon/input/write_obj.hpp"
-#include "osteon/input/write_xy.hpp"
-#include "osteon/models/registry.hpp"
+#include "osteon/osteon.hpp"
+#include "output.hpp"
 
 namespace osteon::app {
 namespace {
 
 struct generate_command {
-  std::string name;
+  std::string kind;
   std::string output;
   std::optional<int> size;
   std::uint64_t seed = 1;
 
   void add_to(CLI::App& program) {
     CLI::App* c = program.add_subcommand("generate", "write a model of the project: a polyhedron as OBJ or a polygon as .xy text");
-    std::vector<std::string> known;
     std::string list = "Polyhedra, and the meaning of --size:\n";
-    const auto add = [&](const auto& k) {
-      known.emplace_back(k.name);
+    bool polygons = false;
+    for (const model_kind& k : model_kinds()) {
+      if (k.is_polygon && !polygons) list += "Polygons:\n";
+      polygons = k.is_polygon;
       list += fmt::format("  {:20} {} (default {})\n", k.name, k.size, k.default_size);
-    };
-    for (const auto& k : models::kinds()) add(k);
-    list += "Polygons:\n";
-    for (const auto& k : plane::models::kinds()) add(k);
-    c->add_option("KIND", name, "what to make")->required()->check(CLI::IsMember(known));
-    c->add_option("--size", size, "see below")->check(CLI::PositiveNumber);
+    }
+    c->add_option("KIND", kind, "what to make")
+        ->required()
+        ->check(CLI::Validator([](const std::string& name) { return find(name) != nullptr ? "" : name + " is no kind of model"; }, ""));
+    c->add_option("--size", size, "see below");
     c->add_option("--seed", seed, "for the random ones")->capture_default_str();
     c->add_option("-o,--output", output, "the file; standard output where it is missing");
     c->footer(list + "Examples:\n  osteon generate voxels --size 6 --seed 7 -o voxels.obj\n  osteon generate comb --size 10000 -o comb.xy");
@@ -38,24 +44,21 @@ struct generate_command {
   }
 
   void run() const {
-    if (const auto* polyhedron = models::find_kind(models::kinds(), name))
-      write(*polyhedron, [](std::ostream& out, const models::builder& model) { write_obj(out, model.take<integer>()); });
-    else if (const auto* polygon = models::find_kind(plane::models::kinds(), name))
-      write(*polygon, [](std::ostream& out, const plane::models::region& model) { plane::write_xy(out, model); });
+    const destination to(output);
+    const model_kind& k = *find(kind);
+    const int n = size.value_or(k.default_size);
+    if (n < k.least_size || n > k.greatest_size)
+      throw CLI::ValidationError("--size", fmt::format("{} needs a size between {} and {}", kind, k.least_size, k.greatest_size));
+    to.write([&](std::ostream& out) {
+      out << fmt::format("# osteon generate {} --size {} --seed {}\n", kind, n, seed);
+      write_model(out, kind, n, seed);
+    });
   }
 
-  // Makes a model of a kind and writes it behind a line that tells how it was made.
-  template <class Kind, class Writer>
-  void write(const Kind& kind, Writer writer) const {
-    const int n = size.value_or(kind.default_size);
-    if (n < kind.least_size || n > kind.greatest_size)
-      throw CLI::ValidationError("--size", fmt::format("{} needs a size between {} and {}", name, kind.least_size, kind.greatest_size));
-    const auto model = kind.make(n, seed);
-    const auto print = [&](std::ostream& out) {
-      out << fmt::format("# osteon generate {} --size {} --seed {}\n", name, n, seed);
-      writer(out, model);
-    };
-    output.empty() ? print(std::cout) : write_file(output, print);
+  static const model_kind* find(const std::string& name) {
+    const auto& all = model_kinds();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const model_kind& k) { return k.name == name; });
+    return found == all.end() ? nullptr : &*found;
   }
 };
 

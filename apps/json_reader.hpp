@@ -9,17 +9,22 @@
 #include <cstdint>
 #include <istream>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "osteon/core/error.hpp"
-#include "osteon/kernel/integer.hpp"
+#include "options.hpp"
+#include "osteon/osteon.hpp"
 
 namespace osteon::app {
 
 using json = nlohmann::ordered_json;
+
+/// The formats of documents, as their member `format` names them: of polyhedra and of polygons.
+inline constexpr const char* skeleton_format = "osteon skeleton 2";
+inline constexpr const char* planar_format = "osteon planar skeleton 1";
 
 /// Base of the readers of skeleton documents. All throw input_error(not_skeleton).
 class json_reader {
@@ -30,8 +35,11 @@ class json_reader {
  protected:
   json parse(std::istream& in, const std::string& format) const {
     json doc = json::parse(in, nullptr, false);
-    if (doc.is_discarded()) wrong("", "is no JSON text");
-    if (text(doc, "format", "") != format) wrong("format", std::string("is not \"") + format + '"');
+    if (doc.is_discarded()) wrong("", "this is no JSON text");
+    const std::string found = text(doc, "format", "");
+    if (found != format && found == planar_format) wrong("", "this is the skeleton of a polygon, and the model is a polyhedron");
+    if (found != format && found == skeleton_format) wrong("", "this is the skeleton of a polyhedron, and the model is a polygon");
+    if (found != format) wrong("format", "is not \"" + format + '"');
     return doc;
   }
 
@@ -71,17 +79,33 @@ class json_reader {
     std::copy(numbers.begin(), numbers.end(), result.begin());
     return result;
   }
-  integer exact_number_in(const json& value, const std::string& at) const {
+  bool truth(const json& of, const char* key, const std::string& at) const {
+    const json& value = member(of, key, at);
+    if (!value.is_boolean()) wrong(at.empty() ? key : at + "." + key, "is neither true nor false");
+    return value.get<bool>();
+  }
+  template <class Value>
+  Value choice(const json& of, const char* key, const std::map<std::string, Value>& choices) const {
+    const auto found = choices.find(text(of, key, ""));
+    if (found == choices.end()) wrong(key, "is no choice of this program");
+    return found->second;
+  }
+  /// Digits of a whole number of any size.
+  std::string exact_number(const json& value, const std::string& at) const {
     const std::string digits = value.is_string() ? value.get<std::string>() : "";
     const std::size_t sign = digits.starts_with('-') ? 1 : 0;
     if (digits.size() == sign || digits.find_first_not_of("0123456789", sign) != std::string::npos) wrong(at, "is no whole number in quotes");
-    const std::size_t zeros = std::min(digits.find_first_not_of('0', sign), digits.size() - 1);  // a leading zero would mean base eight
-    return integer(digits.substr(0, sign) + digits.substr(zeros));
+    return digits;
   }
-  std::vector<integer> exact_numbers(const json& value, const std::string& at) const {
-    if (!value.is_array()) wrong(at, "is no list");
-    std::vector<integer> result;
-    for (const json& x : value) result.push_back(exact_number_in(x, at));
+  /// A line or plane.
+  template <int D>
+  exact_plane<D> plane(const json& of, const std::string& at) const {
+    const json& n = member(of, "n", at);
+    if (!n.is_array() || n.size() != D) wrong(at + ".n", "needs " + std::to_string(D) + " numbers");
+    exact_plane<D> result;
+    for (std::size_t axis = 0; axis < D; ++axis) result.n[axis] = exact_number(n[axis], at + ".n");
+    result.d = exact_number(member(of, "d", at), at + ".d");
+    result.weight = exact_number(member(of, "weight", at), at + ".weight");
     return result;
   }
   template <class Visit>

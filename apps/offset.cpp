@@ -6,13 +6,15 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
-#include <iterator>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "certify.hpp"
 #include "commands.hpp"
-#include "json_reader.hpp"
-#include "osteon/evaluate/offset.hpp"
-#include "planar.hpp"
+#include "options.hpp"
+#include "output.hpp"
 
 namespace osteon::app {
 namespace {
@@ -34,47 +36,50 @@ struct offset_command {
     c->add_option("--format", format, "geojson: one FeatureCollection; wkt: one MULTIPOLYGON a line; xy: rings, for one distance with one part")
         ->check(CLI::IsMember({"geojson", "wkt", "xy"}))
         ->capture_default_str();
-    c->add_option("--kernel", kernel, "as for osteon skeleton")->check(CLI::IsMember({"sqrt", "rational", "double"}))->capture_default_str();
+    add_kernel(*c, kernel, "as for osteon skeleton");
     c->add_option("-o,--output", output, "the file; standard output where it is missing");
-    c->add_flag("--verify", certified, "check the skeleton's certificate first");
-    c->footer("Examples:\n  osteon offset plan.xy --by 0.5,1,1.5 --format wkt\n  osteon offset plan.wkt --by 2 --outside --format xy -o grown.xy");
+    c->add_flag("--verify", certified, "check the skeleton's certificate first, and say so; ends with status 5 should it be refuted");
+    c->footer(
+        "Examples:\n  osteon generate gear -o gear.xy\n  osteon offset gear.xy --by 0.5,1,1.5 --format wkt\n"
+        "  osteon offset gear.xy --by 2 --outside --format xy -o grown.xy");
     c->callback([this] { run(); });
   }
 
   void run() const {
-    const plane::polygon<integer> p = read_polygon_file(file, outside);
-    std::vector<rational> times;
-    for (const auto& d : distances) {
-      exact_number<integer> x;
-      if (read_decimal(d, x) != number_fault::none || x.mantissa < 0) throw CLI::ValidationError("--by", d + " is no decimal number of at least 0");
-      times.push_back(rational(x.mantissa) * power_of(x.ten, x.two));
+    const std::vector<decimal> times(distances.begin(), distances.end());
+    for (const decimal& t : times) check(t);
+    const destination to(output);
+    polygon p = read_polygon_text(input_text(file, "offset", subject::polygon), checking::later);
+    polygon_options o{.region = outside ? region::exterior : region::interior, .kernel = kernels.at(kernel)};
+    if (outside && !certified) o.until = *std::max_element(times.begin(), times.end());
+    const polygon_skeleton s = skeletonize(std::move(p), o);
+    print_notes(s.notes());
+    if (certified) {  // the whole skeleton: there is no certificate of a part
+      demand_certified(s.verify());
+      fmt::print(stderr, "osteon: note: the skeleton's certificate holds\n");
     }
-    plane::skeleton_options o;
-    o.outside = outside;
-    if (outside) o.until = until(p, *std::max_element(times.begin(), times.end()));
-    const planar_skeletons both = compute_planar(kernel, p, o);
-    if (certified && !outside) demand_certified(plane::rule_names, certify(p, kernel, both, outside));
-    const plane::offsets offsets(p, both.raw);
-    std::vector<plane::offset_polygon<double>> results;
-    for (const auto& t : times) results.push_back(outside ? complement(offsets.at(t)) : offsets.at(t));
+    const std::vector<offset_polygon> results = s.offsets(times);
     if (format == "xy" && (results.size() != 1 || results[0].parts > 1))
       throw CLI::ValidationError("--format", "xy text holds one distance and one part; take wkt or geojson");
-    const auto write = [&](std::ostream& out) {
+    to.write([&](std::ostream& out) {
       format == "wkt" ? write_wkt(out, results) : format == "xy" ? write_xy(out, results[0]) : write_geojson(out, results);
-    };
-    output.empty() ? write(std::cout) : write_file(output, write);
+    });
   }
 
-  // The wavefront is followed a little longer than to the last offset.
-  static double until(const plane::polygon<integer>& p, const rational& last) {
-    const plane::vertex_enclosures motion(p.lines, p.points, true);
-    return motion.moment(plane::input_scale(p).to_integers(last).convert_to<double>()) * (1 + 1e-9) + 1e-300;
+  static void check(const decimal& t) {
+    bool negative = false;
+    try {
+      negative = t < 0;
+    } catch (const input_error& e) {
+      throw CLI::ValidationError("--by", e.what());
+    }
+    if (negative) throw CLI::ValidationError("--by", t.text() + " is less than 0");
   }
 
-  static std::string number(double x) { return json(x).dump(); }
+  static std::string number(double x) { return nlohmann::json(x).dump(); }
 
   // The rings of each part in parentheses or brackets, closed.
-  static void write_rings(std::ostream& out, const plane::offset_polygon<double>& p, const char* open, const char* close, const char* separator,
+  static void write_rings(std::ostream& out, const offset_polygon& p, const char* open, const char* close, const char* separator,
                           const char* point_open, const char* point_close) {
     for (std::size_t r = 0; r < p.rings.size(); ++r) {
       const bool first = r == 0 || p.rings[r].part != p.rings[r - 1].part;
@@ -90,7 +95,7 @@ struct offset_command {
     if (!p.rings.empty()) fmt::print(out, "{}", close);
   }
 
-  static void write_wkt(std::ostream& out, const std::vector<plane::offset_polygon<double>>& results) {
+  static void write_wkt(std::ostream& out, const std::vector<offset_polygon>& results) {
     for (const auto& p : results) {
       if (p.rings.empty()) {
         fmt::print(out, "MULTIPOLYGON EMPTY\n");
@@ -102,7 +107,7 @@ struct offset_command {
     }
   }
 
-  void write_geojson(std::ostream& out, const std::vector<plane::offset_polygon<double>>& results) const {
+  void write_geojson(std::ostream& out, const std::vector<offset_polygon>& results) const {
     fmt::print(out, "{{\"type\":\"FeatureCollection\",\"features\":[");
     for (std::size_t i = 0; i < results.size(); ++i) {
       fmt::print(out, "{}\n{{\"type\":\"Feature\",\"properties\":{{\"distance\":{}}},\"geometry\":{{\"type\":\"MultiPolygon\",\"coordinates\":[",
@@ -113,7 +118,7 @@ struct offset_command {
     fmt::print(out, "\n]}}\n");
   }
 
-  static void write_xy(std::ostream& out, const plane::offset_polygon<double>& p) {
+  static void write_xy(std::ostream& out, const offset_polygon& p) {
     for (std::size_t r = 0; r < p.rings.size(); ++r) {
       if (r > 0) fmt::print(out, "\n");
       for (const auto& q : p.rings[r].points) fmt::print(out, "{} {}\n", number(q[0]), number(q[1]));

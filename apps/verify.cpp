@@ -3,13 +3,14 @@
 /// \file
 /// osteon verify.
 
-#include <filesystem>
-#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
-#include "certify.hpp"
 #include "commands.hpp"
 #include "documents.hpp"
-#include "planar_documents.hpp"
+#include "options.hpp"
+#include "output.hpp"
 
 namespace osteon::app {
 namespace {
@@ -25,49 +26,33 @@ struct verify_command {
     c->add_option("SKELETON", file, "what osteon skeleton --output has written")->required();
     c->footer(
         "Prints one JSON object. Exit status 0: certified; 1: refuted, with the broken rule and a witness; 3: unreadable.\n"
-        "Example:\n  osteon skeleton bunny.obj --output bunny.json && osteon verify bunny.obj bunny.json");
-    c->callback([this] { is_polygon_file(input.file) ? run_plane() : run(); });
+        "Examples:\n  osteon generate star -o star.obj\n  osteon skeleton star.obj --output star.json\n  osteon verify star.obj star.json");
+    c->callback([this] {
+      input_text text(input.file, "verify", subject::either);
+      report(text.is_polygon() ? check_polygon(std::move(text)) : check_polyhedron(std::move(text)));
+    });
   }
 
-  std::ifstream open() const {
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file)) throw input_error(input_fault::unreadable, 0, file + ": cannot be opened", "check the name");
-    return in;
+  std::optional<skeleton_refutation> check_polyhedron(input_text text) const {
+    const polyhedron p = input.read(std::move(text));
+    return osteon::verify(p, read_polyhedron_document(*open_file(file), file));
   }
 
-  template <class Names, class Refutation>
-  void report(const Names& names, const std::optional<Refutation>& broken) {
-    holds = !broken;
-    json doc = {{"certified", holds}};
-    if (broken) {
-      doc["rule"] = names[static_cast<std::size_t>(broken->broken)];
-      doc["witness"] = broken->witness;
+  std::optional<skeleton_refutation> check_polygon(input_text text) const {
+    const polygon_document d = read_polygon_document(*open_file(file), file);
+    const polygon p = read_polygon_text(std::move(text), d.region == region::interior ? checking::now : checking::later);
+    print_notes(p.notes());
+    return osteon::verify(p, d);
+  }
+
+  void report(const std::optional<skeleton_refutation>& refuted) {
+    holds = !refuted;
+    nlohmann::ordered_json doc = {{"certified", holds}};
+    if (refuted) {
+      doc["rule"] = refuted->rule;
+      doc["witness"] = refuted->witness;
     }
-    fmt::print("{}\n", doc.dump());
-  }
-
-  void run() {
-    const solid<integer> s = input.read();
-    std::ifstream in = open();
-    report(rule_names, check(s, skeleton_reader(file, s).read(in)));
-  }
-
-  void run_plane() {
-    std::ifstream in = open();
-    const planar_file given = planar_reader(file).read(in);
-    const plane::polygon<integer> p = read_polygon_file(input.file, given.by.outside);
-    report(plane::rule_names, given.lines == p.lines && given.boundary.next == p.boundary.next && given.boundary.line == p.boundary.line
-                                  ? certify(p, given.by.kernel, given.skeletons, given.by.outside)
-                                  : plane::refutation{plane::rule::structure, "the lines and edges are not those of the polygon"});
-  }
-
-  static std::optional<refutation> check(const solid<integer>& s, const skeleton_file& given) {
-    for (std::size_t p = 0; p < std::max(s.planes.size(), given.planes.size()); ++p) {
-      const bool same = p < s.planes.size() && p < given.planes.size() && s.planes[p].n == given.planes[p].n && s.planes[p].d == given.planes[p].d &&
-                        s.planes[p].weight == given.planes[p].weight;
-      if (!same) return refutation{rule::structure, fmt::format("plane {} is not that of the solid", p)};
-    }
-    return certify(s, given.by.kernel, given.raw, given.exact);
+    standard_output() << doc.dump() << '\n';
   }
 };
 

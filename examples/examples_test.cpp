@@ -67,6 +67,14 @@ TEST(examples, errors) {
   EXPECT_EQ(run("hip_roof " + input("outline.xy") + " 45 9").status, 3);
 }
 
+TEST(examples, full_disk) {
+  for (const std::string call : {"road_centre_lines plus.xy", "hip_roof outline.xy", "fold_and_cut square.xy"}) {
+    const auto space = call.find(' ');
+    const std::string command = std::string(EXAMPLES) + "/" + call.substr(0, space) + " " + input(call.substr(space + 1));
+    EXPECT_EQ(std::system((command + " >/dev/full 2>/dev/null").c_str()) / 256, 6) << call;
+  }
+}
+
 // ---- roads
 
 using point = std::array<double, 2>;

@@ -16,25 +16,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <exception>
-#include <fstream>
 #include <map>
-#include <span>
+#include <set>
 #include <utility>
 #include <vector>
 
-#include "osteon/evaluate/anchors.hpp"
-#include "osteon/evaluate/planar_locate.hpp"
-#include "osteon/evaluate/vertex_enclosures.hpp"
-#include "osteon/input/make_polygon.hpp"
-#include "osteon/input/read_polygon.hpp"
-#include "osteon/kernel/filtered.hpp"
-#include "osteon/kernel/perturbed.hpp"
-#include "osteon/kernel/sqrt.hpp"
-#include "osteon/plane/contract.hpp"
-#include "osteon/plane/propagate.hpp"
+#include "example.hpp"
 
 namespace {
 
@@ -54,31 +42,22 @@ vec unit(vec a) { return 1 / length(a) * a; }
 /// Walls cut the plane into faces, one on each side of each edge: the arcs of both skeletons, which are creases, and the edges themselves.
 class fold {
  public:
-  /// A polygon and what is outside of it.
-  fold(const plane::polygon<integer>& p, const plane::polygon<integer>& rest, double margin) : vertices_(static_cast<int>(p.points.size())) {
-    for (const auto& l : p.lines)
-      if (l.weight != p.lines[0].weight)
+  fold(const polygon& p, double margin) {
+    for (int e = 0; e < p.edges(); ++e)
+      if (p.weight(e) != p.weight(0))
         throw input_error(input_fault::bad_weight, 0, "paper folds at bisectors only, so no edge may have a weight of its own",
                           "leave the weights out");
-    if (rest.points != p.points)
-      throw unsupported_error("the polygon touches itself, so its corners outside are others than inside; hint: move that point a little");
-    nodes_.resize(vertices_);
-    const auto inner = add_skeleton(p, false);
-    low_ = high_ = nodes_[0].at;
-    for (int v = 0; v < vertices_; ++v) {
-      low_ = {std::min(low_.x, nodes_[v].at.x), std::min(low_.y, nodes_[v].at.y)};
-      high_ = {std::max(high_.x, nodes_[v].at.x), std::max(high_.y, nodes_[v].at.y)};
-    }
-    size_ = std::max(high_.x - low_.x, high_.y - low_.y);
+    const polygon_skeleton inside = skeletonize(p);
+    add_vertices(inside);
     const double m = margin > 0 ? margin : size_ / 4;
     low_ = low_ - vec{m, m};
     high_ = high_ + vec{m, m};
     size_ += 2 * m;
-    const auto outer = add_skeleton(rest, true);
-    for (int v = 0; v < vertices_; ++v) {
-      const int w = p.boundary.next[v];
-      add_wall({v, w, nodes_[v].at, nodes_[w].at, {inner[v], vertices_ + outer[w]}, false});
-    }
+    add_skeleton(inside);
+    const int inner = static_cast<int>(faces_.size());
+    // No edge's line is farther than that from any place on the paper.
+    add_skeleton(skeletonize(p, {.region = region::exterior, .until = 2 * size_ / p.weight(0)}));
+    add_sides(inside, inner);
   }
 
   /// From each node of the skeleton on the paper. The others' do not matter: creases that only pass can be left out.
@@ -149,38 +128,71 @@ class fold {
     if (w.to >= 0) nodes_[w.to].walls.push_back(i);
   }
 
-  // Returns the face in front of each edge.
-  std::vector<int> add_skeleton(const plane::polygon<integer>& p, bool outside) {
-    const std::span<const moving_line<integer>> lines(p.lines);
-    const perturbed kernel(filtered(lines, make_sqrt_kernel(lines), anchors_of(p)));
-    const plane::vertex_enclosures motion(lines, p.points, outside);
-    const plane::unit_lines units(lines, p.points);
-    const plane::fast_locator locator(p, units);
-    plane::skeleton_options o{.outside = outside};
-    // No edge's line is farther than that from any place on the paper.
-    if (outside) o.until = motion.moment(locator.unit().to_integers(rational(2 * size_)).convert_to<double>());
-    const auto raw = plane::propagation(kernel, p.boundary, motion, o).run();
-    const auto skeleton = plane::contract(kernel.base(), p.boundary.line, raw);
-    const int first = static_cast<int>(faces_.size());
-    for (const int l : p.boundary.line) faces_.push_back({{units.lines[l].n[0].high, units.lines[l].n[1].high}, {}});
-    std::vector<int> number;
-    for (int v = 0; v < vertices_; ++v) nodes_[v].at = at(locator.vertex(v));
-    for (const auto& n : skeleton.nodes) {
-      number.push_back(n.vertex >= 0 ? n.vertex : static_cast<int>(nodes_.size()));
-      if (n.vertex < 0) nodes_.push_back({at(locator.meeting(n.lines)), {}});
+  static vec at(const polygon_skeleton::node& n) { return {n.point()[0], n.point()[1]}; }
+
+  // The polygon's vertices, and how far it reaches.
+  void add_vertices(const polygon_skeleton& s) {
+    std::set<std::array<double, 2>> places;
+    for (const auto& n : s.nodes()) {
+      if (n.vertex() < 0) continue;
+      if (!places.insert(n.point()).second)
+        throw unsupported_error("the polygon touches itself, so its corners outside are others than inside; hint: move that point a little");
+      vertex_at_[n.vertex()] = static_cast<int>(nodes_.size());
+      nodes_.push_back({at(n), {}});
     }
-    for (const auto& a : skeleton.arcs) {
-      const vec from = nodes_[number[a.source]].at;
-      const vec m = faces_[first + a.faces[0]].down;
-      const vec n = faces_[first + a.faces[1]].down;
-      // An arc that never ends moves with the velocity v where m v = n v = -1.
-      const vec far = a.target >= 0 ? vec{} : from + 8 * (size_ + length(from - low_)) * unit(1 / cross(m, n) * vec{m.y - n.y, n.x - m.x});
-      const int to = a.target >= 0 ? number[a.target] : -1;
-      add_wall({number[a.source], to, from, to >= 0 ? nodes_[to].at : far, {first + a.faces[0], first + a.faces[1]}, true});
+    vertices_ = static_cast<int>(nodes_.size());
+    low_ = high_ = nodes_[0].at;
+    for (const node& n : nodes_) {
+      low_ = {std::min(low_.x, n.at.x), std::min(low_.y, n.at.y)};
+      high_ = {std::max(high_.x, n.at.x), std::max(high_.y, n.at.y)};
     }
-    return raw.faces;
+    size_ = std::max(high_.x - low_.x, high_.y - low_.y);
   }
-  static vec at(const plane::located& p) { return {p.x, p.y}; }
+
+  void add_skeleton(const polygon_skeleton& s) {
+    const int first = static_cast<int>(faces_.size());
+    for (const auto& f : s.faces()) faces_.push_back({{-f.inwards()[0], -f.inwards()[1]}, {}});
+    std::vector<int> number;
+    for (const auto& n : s.nodes()) {
+      number.push_back(n.vertex() >= 0 ? vertex_at_.at(n.vertex()) : static_cast<int>(nodes_.size()));
+      if (n.vertex() < 0) nodes_.push_back({at(n), {}});
+    }
+    for (const auto& a : s.arcs()) {
+      const int source = number[a.source().id()];
+      const std::array<int, 2> faces = {first + a.faces()[0].id(), first + a.faces()[1].id()};
+      const vec from = nodes_[source].at;
+      if (a.is_endless()) {
+        const vec far = from + 8 * (size_ + length(from - low_)) * unit({a.velocity()[0], a.velocity()[1]});
+        add_wall({source, -1, from, far, faces, true});
+      } else {
+        const int target = number[a.target().id()];
+        add_wall({source, target, from, nodes_[target].at, faces, true});
+      }
+    }
+  }
+
+  // The polygon's edges, between the faces inside and those from `outer` on: where the boundary of a face goes from vertex to vertex.
+  void add_sides(const polygon_skeleton& inside, int outer) {
+    for (const auto& swept : inside.faces())
+      for (const auto& loop : swept.boundary())
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+          const auto& from = loop[i];
+          const auto& to = loop[(i + 1) % loop.size()];
+          if (from.vertex() < 0 || to.vertex() < 0) continue;
+          const int v = vertex_at_.at(from.vertex());
+          const int w = vertex_at_.at(to.vertex());
+          add_wall({v, w, nodes_[v].at, nodes_[w].at, {swept.id(), common_face(v, w, outer)}, false});
+        }
+  }
+
+  // The face from `outer` on between the arcs of two vertices.
+  int common_face(int v, int w, int outer) const {
+    for (const int a : nodes_[v].walls)
+      for (const int b : nodes_[w].walls)
+        for (const int f : walls_[a].faces)
+          if (f >= outer && (f == walls_[b].faces[0] || f == walls_[b].faces[1])) return f;
+    throw invariant_error("an edge has no face outside");
+  }
 
   vec direction(const wall& w, int from) const { return unit(w.from == from ? w.b - w.a : w.a - w.b); }
 
@@ -301,8 +313,9 @@ class fold {
 
   static constexpr double near = 1e-10;  // what is no farther apart, of the paper's size, is one point
 
-  int vertices_;
-  vec low_{}, high_{};  // the paper
+  int vertices_ = 0;
+  std::map<int, int> vertex_at_;  // by point of the file: the node
+  vec low_{}, high_{};            // the paper
   double size_ = 0;
   std::vector<node> nodes_;  // the polygon's vertices come first
   std::vector<wall> walls_;
@@ -321,18 +334,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: fold_and_cut FILE [MARGIN], with a MARGIN above 0\n");
     return 2;
   }
-  try {
-    std::ifstream in(argv[1], std::ios::binary);
-    auto rings = plane::read_polygon<integer>(in, argv[1]);
-    const auto rest = plane::make_polygon(rings, true);
-    const auto polygon = plane::make_polygon(std::move(rings));
-    for (const auto& repair : polygon.repairs) std::fprintf(stderr, "fold_and_cut: note: %s\n", repair.c_str());
-    fold creases(polygon, rest, margin);
+  return example::run([&] {
+    fold creases(example::read(argv[1]), margin);
     creases.add_perpendiculars();
     creases.write();
-    return 0;
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "fold_and_cut: %s\n", e.what());
-    return dynamic_cast<const input_error*>(&e) != nullptr ? 3 : 5;
-  }
+  });
 }

@@ -12,52 +12,34 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <exception>
-#include <fstream>
 #include <map>
-#include <span>
 #include <utility>
 #include <vector>
 
-#include "osteon/evaluate/anchors.hpp"
-#include "osteon/evaluate/planar_locate.hpp"
-#include "osteon/evaluate/vertex_enclosures.hpp"
-#include "osteon/input/make_polygon.hpp"
-#include "osteon/input/read_polygon.hpp"
-#include "osteon/kernel/filtered.hpp"
-#include "osteon/kernel/perturbed.hpp"
-#include "osteon/kernel/sqrt.hpp"
-#include "osteon/plane/contract.hpp"
-#include "osteon/plane/propagate.hpp"
+#include "example.hpp"
 
 namespace {
 
-using namespace osteon;
-
 class centre_lines {
  public:
-  explicit centre_lines(const plane::polygon<integer>& p) {
-    const std::span<const moving_line<integer>> lines(p.lines);
-    const perturbed kernel(filtered(lines, make_sqrt_kernel(lines), anchors_of(p)));
-    const auto raw = plane::propagation(kernel, p.boundary, plane::vertex_enclosures(lines, p.points)).run();
-    const auto skeleton = plane::contract(kernel.base(), p.boundary.line, raw);
-    const plane::unit_lines units(lines, p.points);
-    const plane::fast_locator locator(p, units);
-    for (const auto& n : skeleton.nodes) places_.push_back(n.vertex >= 0 ? locator.vertex(n.vertex) : locator.meeting(n.lines));
+  explicit centre_lines(const osteon::polygon_skeleton& skeleton) {
+    std::vector<bool> is_vertex;
+    for (const auto& n : skeleton.nodes()) {
+      places_.push_back({n.point()[0], n.point()[1], n.time()});
+      is_vertex.push_back(n.vertex() >= 0);
+    }
+    for (const auto& a : skeleton.arcs()) arcs_.push_back({a.source().id(), a.target().id(), {a.faces()[0].id(), a.faces()[1].id()}});
     at_.resize(places_.size());
     std::map<std::pair<int, int>, int> corners;  // how many arcs lead from vertices to a node beside a face
-    for (const auto& a : skeleton.arcs) {
-      if (skeleton.nodes[a.source].vertex < 0)
+    for (const auto& a : arcs_) {
+      if (!is_vertex[a.source])
         join(a.source, a.target);
       else
         for (const int f : a.faces) ++corners[{a.target, f}];
     }
-    for (const auto& [key, count] : corners) {
-      const auto& n = units.lines[p.boundary.line[key.second]].n;
-      if (count == 2) lead_on(skeleton, key.first, key.second, {-n[0].high, -n[1].high});
-    }
-    cut_arcs(skeleton);
+    for (const auto& [key, count] : corners)
+      if (count == 2) lead_on(is_vertex, key.first, key.second, skeleton.faces()[key.second].inwards());
+    cut_arcs();
   }
 
   /// Takes spurs away, the shortest first, until there are none.
@@ -100,6 +82,15 @@ class centre_lines {
   }
 
  private:
+  struct place {
+    double x, y;
+    double time;
+  };
+  struct arc {
+    int source;
+    int target;
+    std::array<int, 2> faces;
+  };
   struct cut {
     int arc;
     double part;  ///< of its length, from the source
@@ -123,15 +114,15 @@ class centre_lines {
 
   // In front of two vertices where the same face begins is a dead end, which lies before the face's edge, or a mouth, which lies behind it. From
   // there a line leads to the next arc of the face.
-  void lead_on(const plane::contracted_skeleton& s, int node, int face, const std::array<double, 2>& inwards) {
-    const plane::located& p = places_[node];
-    const auto height = [&](const plane::located& q) { return inwards[0] * (q.x - p.x) + inwards[1] * (q.y - p.y); };
-    const auto beside = [&](const plane::located& q) { return inwards[0] * (q.y - p.y) - inwards[1] * (q.x - p.x); };
+  void lead_on(const std::vector<bool>& is_vertex, int node, int face, const std::array<double, 2>& inwards) {
+    const place& p = places_[node];
+    const auto height = [&](const place& q) { return inwards[0] * (q.x - p.x) + inwards[1] * (q.y - p.y); };
+    const auto beside = [&](const place& q) { return inwards[0] * (q.y - p.y) - inwards[1] * (q.x - p.x); };
     if (at_[node].empty() || std::any_of(at_[node].begin(), at_[node].end(), [&](int m) { return height(places_[m]) >= 0; })) return;
     cut next{-1, 0, -1};
     double nearest = 0;
-    for (std::size_t i = 0; i < s.arcs.size(); ++i) {
-      const auto& a = s.arcs[i];
+    for (std::size_t i = 0; i < arcs_.size(); ++i) {
+      const auto& a = arcs_[i];
       const double from = beside(places_[a.source]);
       const double to = beside(places_[a.target]);
       if ((a.faces[0] != face && a.faces[1] != face) || a.source == node || a.target == node || (from > 0) == (to > 0)) continue;
@@ -143,12 +134,12 @@ class centre_lines {
       }
     }
     if (next.arc < 0) return;
-    const auto& a = s.arcs[next.arc];
-    if (next.part > 1 - 1e-9 || s.nodes[a.source].vertex >= 0) return join(node, a.target);
+    const auto& a = arcs_[next.arc];
+    if (next.part > 1 - 1e-9 || is_vertex[a.source]) return join(node, a.target);
     if (next.part < 1e-9) return join(node, a.source);
     next.node = nodes();
-    const plane::located from = places_[a.source];
-    const plane::located to = places_[a.target];
+    const place from = places_[a.source];
+    const place to = places_[a.target];
     const auto between = [&](double x, double y) { return x + next.part * (y - x); };
     places_.push_back({between(from.x, to.x), between(from.y, to.y), between(from.time, to.time)});
     at_.emplace_back();
@@ -156,11 +147,11 @@ class centre_lines {
     cuts_.push_back(next);
   }
 
-  void cut_arcs(const plane::contracted_skeleton& s) {
+  void cut_arcs() {
     std::sort(cuts_.begin(), cuts_.end());
     for (std::size_t i = 0; i < cuts_.size(); ++i) {
       const auto& c = cuts_[i];
-      const auto& a = s.arcs[c.arc];
+      const auto& a = arcs_[c.arc];
       const int before = i > 0 && cuts_[i - 1].arc == c.arc ? cuts_[i - 1].node : a.source;
       part(before, a.target);
       join(before, c.node);
@@ -194,9 +185,10 @@ class centre_lines {
     return sum;
   }
 
-  std::vector<plane::located> places_;  // of nodes
-  std::vector<std::vector<int>> at_;    // neighbours of a node
-  std::vector<bool> is_inner_;          // has two neighbours
+  std::vector<place> places_;  // of nodes
+  std::vector<arc> arcs_;
+  std::vector<std::vector<int>> at_;  // neighbours of a node
+  std::vector<bool> is_inner_;        // has two neighbours
   std::vector<cut> cuts_;
 };
 
@@ -207,16 +199,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: road_centre_lines FILE\n");
     return 2;
   }
-  try {
-    std::ifstream in(argv[1], std::ios::binary);
-    const auto polygon = plane::make_polygon(plane::read_polygon<integer>(in, argv[1]));
-    for (const auto& repair : polygon.repairs) std::fprintf(stderr, "road_centre_lines: note: %s\n", repair.c_str());
-    centre_lines lines(polygon);
+  return example::run([&] {
+    centre_lines lines(osteon::skeletonize(example::read(argv[1])));
     lines.prune();
     lines.write();
-    return 0;
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "road_centre_lines: %s\n", e.what());
-    return dynamic_cast<const input_error*>(&e) != nullptr ? 3 : 5;
-  }
+  });
 }

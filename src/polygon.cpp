@@ -28,6 +28,22 @@ std::unique_ptr<polygon::data> data_of(plane::rings<integer> rings) {
   return d;
 }
 
+plane::rings<integer> rings_in(std::istream& in, const std::string& name, polygon_format format) {
+  switch (format) {
+    case polygon_format::xy:
+      return plane::read_xy<integer>(in, name);
+    case polygon_format::wkt:
+      return plane::read_wkt<integer>(in, name);
+    case polygon_format::geojson:
+      return plane::read_geojson<integer>(in, name);
+    case polygon_format::obj:
+      return plane::read_flat_obj<integer>(in, name);
+    case polygon_format::guessed:
+      break;
+  }
+  return plane::read_polygon<integer>(in, name);
+}
+
 polygon finished(polygon p, checking when) {
   if (when == checking::now) p.check();
   return p;
@@ -132,8 +148,8 @@ polygon read_polygon(const std::string& file, checking when) {
   return read_polygon(in, file, when);
 }
 
-polygon read_polygon(std::istream& in, const std::string& name, checking when) {
-  return finished(polygon(data_of(plane::read_polygon<integer>(in, name))), when);
+polygon read_polygon(std::istream& in, const std::string& name, checking when, polygon_format format) {
+  return finished(polygon(data_of(rings_in(in, name, format))), when);
 }
 
 bool is_polygon_file(const std::string& file) {

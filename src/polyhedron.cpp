@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "osteon/input/mesh_repair.hpp"
 #include "osteon/input/read_obj.hpp"
 #include "osteon/input/solid.hpp"
 #include "polyhedron_data.hpp"
@@ -20,11 +21,11 @@ namespace osteon {
 namespace {
 
 std::shared_ptr<const polyhedron::data> data_of(input_mesh<integer> m, const mesh_repairs& repairs) {
-  if (repairs.flip) solid_builder<integer>::flip(m);
+  if (repairs.flip) reverse_facets(m);
   auto d = std::make_shared<polyhedron::data>();
   if (repairs.triangulate) {
     const auto facets = m.facets;
-    solid_builder<integer>::triangulate(m);
+    triangulate_facets(m);
     // The pieces of a facet with n corners have n - 2 corners more than twice their number.
     for (std::size_t f = 0; f < facets.size(); ++f)
       for (std::size_t left = facets[f].size() - 2; left > 0; left -= m.facets[d->given.size() - 1].size() - 2)

@@ -32,6 +32,7 @@
 #include "osteon/door/documents.hpp"
 #include "osteon/door/elements.hpp"
 #include "osteon/door/mesh.hpp"
+#include "osteon/door/models.hpp"
 #include "osteon/door/polygon.hpp"
 #include "osteon/door/polygon_skeleton.hpp"
 #include "osteon/door/polyhedron.hpp"

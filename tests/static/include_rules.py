@@ -33,6 +33,10 @@ ALLOWED = {
 }
 # Libraries of others, by the folder that may name them.
 OUTSIDE = {"kernel": ("boost/", "gmp.h"), "evaluate": ("boost/", "gmp.h")}
+# The program and the examples use the door and the window alone.
+USERS = ("apps", "examples")
+ENTRANCES = ("osteon/osteon.hpp", "osteon/inspect.hpp", "osteon/door/")
+BEHIND = ("osteon/", "boost/", "gmp")
 OURS = ("apps", "bench", "examples", "fuzz", "include", "kernels", "properties", "tests")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD = re.compile(r"^[a-z_0-9]+$")
@@ -95,6 +99,11 @@ def breaches(root):
                     yield f"{name}:{number}: {header}: {fault}"
             if path.suffix == ".hpp" and "#pragma once" not in path.read_text():
                 yield f"{name}:1: a header needs #pragma once"
+    for top in USERS:
+        for path in sorted((root / top).rglob("*.[ch]pp")):
+            for number, _, header in includes_of(path):
+                if header.startswith(BEHIND) and not header.startswith(ENTRANCES):
+                    yield f"{path.relative_to(root)}:{number}: {header}: {top} may include the door and the window only"
     for home in ("include", "kernels"):
         for path in sorted((root / home).rglob("*.hpp")):
             if len(path.relative_to(root).parts) == 4 and path.relative_to(root).parts[2] not in HOMES:
@@ -117,6 +126,9 @@ def planted():
         for library in ("<boost/version.hpp>", "<gmp.h>", "<CGAL/version.h>", "<fmt/format.h>"):
             if not library[1:].startswith(OUTSIDE.get(folder, ("?",))):
                 yield folder, library
+    for top in USERS:
+        for header in ('"osteon/core/error.hpp"', '"osteon/input/read_obj.hpp"', "<osteon/kernel/sqrt.hpp>", "<boost/version.hpp>", "<gmpxx.h>"):
+            yield top, header
 
 
 def self_test(root):
@@ -128,7 +140,8 @@ def self_test(root):
             shutil.copytree(root / home, copy / home)
         count = 0
         for folder, include in planted():
-            path = copy / HOMES[folder] / "planted_here.hpp"
+            path = copy / HOMES.get(folder, folder) / "planted_here.hpp"
+            path.parent.mkdir(exist_ok=True)
             path.write_text(f"#pragma once\n#include {include}\n")
             found = any("planted_here.hpp:2" in text for text in breaches(copy))
             path.unlink()

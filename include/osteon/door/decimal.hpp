@@ -31,7 +31,13 @@ class decimal {
   /// Returns the double; meaningless where there is a text.
   double value() const { return value_; }
 
+  /// Returns whether the first number is less, exactly. *Throws* input_error(bad_number or
+  /// absurd_size) where one of them is no number.
+  friend bool operator<(const decimal& a, const decimal& b) { return is_less(a, b); }
+
  private:
+  static bool is_less(const decimal& a, const decimal& b);
+
   double value_ = 0;
   std::string text_;
 };

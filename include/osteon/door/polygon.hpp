@@ -86,12 +86,21 @@ class polygon {
   std::unique_ptr<data> data_;
 };
 
+/// The form of a polygon's text.
+enum class polygon_format : std::uint8_t {
+  guessed,  ///< by the end of the name, else by the first characters of the text
+  xy,
+  wkt,
+  geojson,
+  obj
+};
+
 /// Reads a polygon: .xy text (`x y [weight]` a line, rings after blank lines), WKT, GeoJSON, or OBJ
 /// with one flat facet; by the end of the name, else by the text. Decimals are taken exactly.
 /// *Throws* input_error naming the line.
 polygon read_polygon(const std::string& file, checking when = checking::now);
 /// Reads a polygon from a stream; `name` is for messages, and its end may tell the format.
-polygon read_polygon(std::istream& in, const std::string& name, checking when = checking::now);
+polygon read_polygon(std::istream& in, const std::string& name, checking when = checking::now, polygon_format format = polygon_format::guessed);
 
 /// Returns whether a file or text holds a polygon and no polyhedron, by its name's end (an OBJ
 /// file: whether it has one facet only), else by the first characters of the text. Nothing is
