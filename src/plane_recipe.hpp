@@ -35,7 +35,7 @@ plane::skeleton raw_skeleton(const K& k, const plane_question& q) {
 
 /// Returns a perturbed kernel over an exact one, floating point in front.
 template <class Exact>
-auto perturbed_kernel(const plane::polygon<integer>& p, Exact exact) {
+auto make_perturbed_kernel(const plane::polygon<integer>& p, Exact exact) {
   return perturbed(filtered(std::span<const moving_line<integer>>(p.lines), std::move(exact), anchors_of(p)));
 }
 

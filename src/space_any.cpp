@@ -17,7 +17,7 @@ namespace osteon {
 skeleton raw_any(const any_kernel<3>& k, const solid<integer>& s, const skeleton_options& o) { return straight_skeleton(k, s.boundary, o); }
 
 space_result run_rational(const solid<integer>& s, const skeleton_options& o) {
-  const auto k = perturbed_kernel(s, make_rational_kernel(s.planes));
+  const auto k = make_perturbed_kernel(s, make_rational_kernel(s.planes));
   space_result r{raw_any(any_kernel<3>(k), s, o), std::nullopt};
   r.exact = contract(any_kernel<3>(k.base()), s.boundary, r.raw);
   return r;
@@ -34,7 +34,7 @@ space_result run_floating(const solid<integer>& s, const skeleton_options& o) {
 }
 
 std::optional<skeleton_refutation> certify_rational(const solid<integer>& s, const space_result& r) {
-  const auto k = perturbed_kernel(s, make_rational_kernel(s.planes));
+  const auto k = make_perturbed_kernel(s, make_rational_kernel(s.planes));
   return certify(any_kernel<3>(k), any_kernel<3>(k.base()), s, r);
 }
 

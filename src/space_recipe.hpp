@@ -20,7 +20,7 @@ namespace osteon {
 
 /// Returns a perturbed kernel over an exact one, floating point in front.
 template <class Exact>
-auto perturbed_kernel(const solid<integer>& s, Exact exact) {
+auto make_perturbed_kernel(const solid<integer>& s, Exact exact) {
   return perturbed(filtered(std::span<const moving_plane<integer>>(s.planes), std::move(exact)));
 }
 
