@@ -116,12 +116,12 @@ TEST(ExactNumber, IsWrittenAsItIsRead) {
 TEST(CommonScale, IsThatOfTheFinestNumber) {
   std::vector<exact_number<integer>> numbers;
   for (const char* text : {"0.5", "-20", "0", "1e3", "0.125"}) ASSERT_EQ(read_decimal(text, numbers.emplace_back()), number_fault::none);
-  numbers.push_back(*from_double<integer>(0.75));
+  for (const double x : {0.75, 1.5}) numbers.push_back(*from_double<integer>(x));
   common_scale<integer> scale;
   for (const auto& x : numbers) scale.add(x);
   EXPECT_EQ(scale.ten(), -3);
   EXPECT_EQ(scale.two(), -2);
-  EXPECT_EQ(scale.count(), 6U);
+  EXPECT_EQ(scale.count(), 7U);
   EXPECT_EQ(scale.finest(), 5U);
   EXPECT_FALSE(scale.is_absurd());
   for (const auto& x : numbers) EXPECT_EQ(rational(scale.scaled(x)) / 4000, value(x));

@@ -707,6 +707,17 @@ TEST(PlanarInput, FlatObj) {
   }
 }
 
+TEST(PlanarInput, EveryPolygonOfGeoJsonIsAPart) {
+  const auto p = read(R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "geometry": {"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,4],[0,4]], [[1,1],[1,2],[2,2]]]}},
+    {"type": "Feature", "geometry": {"type": "MultiPolygon", "coordinates": [[[[5,0],[9,0],[9,4],[5,4]], [[6,1],[6,2],[7,2]]], [[[5,5],[9,5],[9,9]]]]}},
+    {"type": "Feature", "geometry": {"type": "Polygon", "coordinates": [[[0,5],[4,5],[4,9]]]}}]})",
+                      "a.geojson");
+  EXPECT_EQ(p.parts, 4);
+  EXPECT_EQ(p.holes, 2);
+  EXPECT_TRUE(p.repairs.empty());
+}
+
 TEST(PlanarInput, FormatsAreTold) {
   for (const auto& [name, format] : std::map<std::string, format>{{"a.xy", format::xy},
                                                                   {"b.txt", format::xy},

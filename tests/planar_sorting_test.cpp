@@ -59,7 +59,7 @@ std::vector<long> sorted_by_skeleton(const std::vector<long>& numbers) {
 TEST(planar_sorting, the_upper_face_names_the_numbers_in_order) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    models::dice dice(seed);
+    plane::models::dice dice(seed);
     std::vector<long> numbers(static_cast<std::size_t>(dice.between(1, 200)));
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<long>(i) * 7 + dice.between(0, 5);
     for (std::size_t i = numbers.size(); i > 1; --i)
