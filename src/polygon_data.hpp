@@ -9,6 +9,7 @@
 
 #include "osteon/door/polygon.hpp"
 #include "osteon/input/polygon.hpp"
+#include "osteon/input/rings.hpp"
 #include "osteon/kernel/integer.hpp"
 
 namespace osteon {
