@@ -29,7 +29,7 @@ struct contracted_skeleton {
     std::array<line_id, 2> corner;  ///< two of them that cross
   };
   struct arc {
-    int source;                ///< not later than the target
+    int source;                ///< not later than the target, and before it in the list of nodes
     int target;                ///< -1: never ends
     std::array<int, 2> faces;  ///< on its two sides
   };

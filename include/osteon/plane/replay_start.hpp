@@ -105,7 +105,7 @@ class replay_start {
     const triple q = sorted(triple{a, b, c});
     const auto m = k_.meet(q);
     demand(m.has_value(), rule::structure, "line", a, "touches a parallel line of the same speed");
-    return k_.closing(*m) == lambda(q, position(q, a), [this](line_id x, line_id y) { return k_.orientation(x, y); });
+    return k_.closing(*m) == lambda(k_, q, position(q, a));
   }
 
   // Two lines that cross: every line crosses one of them.

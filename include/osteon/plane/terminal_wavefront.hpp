@@ -79,7 +79,7 @@ class terminal_wavefront {
     const triple q = sorted(triple{a, b, c});
     const auto m = k_.meet(q);
     if (!m || is_never(*m)) return k_.side(c, a, b, some_);  // it is the same at all times
-    return -(k_.closing(*m) * lambda(q, position(q, c), [this](line_id x, line_id y) { return k_.orientation(x, y); }));
+    return -(k_.closing(*m) * lambda(k_, q, position(q, c)));
   }
 
   // Any that has a moment. The lines of a polygon do not all move as one body, unless they do not move.

@@ -93,8 +93,9 @@ class contraction_verifier {
       const auto& arc = s_.arcs[a];
       demand(exists(arc.source, s_.nodes.size()) && (arc.target == -1 || exists(arc.target, s_.nodes.size())), rule::structure, "arc", a,
              "names a node that is not there");
-      demand(arc.source != arc.target && arc.target != arc.source && (arc.target == -1 || arc.target >= s_.vertices), rule::order, "arc", a,
-             "ends where it begins, or in a vertex");
+      // Nodes come in the order of time, those of one moment in an order of their own.
+      demand(arc.target == -1 || (arc.source < arc.target && arc.target >= s_.vertices), rule::order, "arc", a,
+             "ends in a vertex, or not behind the node where it begins");
       if (arc.source >= s_.vertices && arc.target >= 0)
         demand(k_.compare(when_[arc.source], when_[arc.target]) != sign::positive, rule::order, "arc", a, "does not run forwards in time");
       demand(arc.faces[0] != arc.faces[1], rule::structure, "arc", a, "has the same face on both sides");
