@@ -780,6 +780,26 @@ TEST_F(TamperedContraction, ArcOfAnotherFace) {
       },
       {"structure", "place", "start"});
 }
+// Every arc in turn: out of its vertex, forwards in time, or along a ridge from the smaller number to the greater one.
+TEST(PlanarContraction, ArcsDoNotRunBackwards) {
+  int ridges = 0;
+  for (const auto shape : {shape::general, shape::symmetric, shape::coarse})
+    for (std::uint64_t seed = 1; seed <= 15; ++seed) {
+      const specimen one(sample(shape, weighting::none, seed));
+      SCOPED_TRACE(one.name);
+      const auto right = plane::contract(one.kernel.base(), one.polygon.boundary.line, one.raw);
+      for (std::size_t a = 0; a < right.arcs.size(); ++a) {
+        auto wrong = right;
+        auto& arc = wrong.arcs[a];
+        std::swap(arc.source, arc.target);
+        EXPECT_EQ(rule_of(plane::verify_contraction(one.kernel.base(), one.polygon.boundary, one.raw, wrong)), "order") << "arc " << a;
+        if (arc.target < right.vertices) continue;
+        const auto time_of = [&](int n) { return *one.kernel.base().meet(right.nodes[n].lines); };
+        ridges += one.kernel.base().compare(time_of(arc.source), time_of(arc.target)) == sign::zero ? 1 : 0;
+      }
+    }
+  EXPECT_GT(ridges, 10);
+}
 TEST_F(TamperedContraction, NodeElsewhere) {
   refutes(
       [](auto& s, dice& roll) {

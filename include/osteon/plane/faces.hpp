@@ -8,10 +8,10 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "osteon/core/disjoint_sets.hpp"
 #include "osteon/core/error.hpp"
 #include "osteon/plane/boundary.hpp"
 #include "osteon/plane/contract.hpp"
@@ -182,18 +182,13 @@ class face_tracer {
   // The rings of the polygon backwards; the faces between them say which belong together.
   void trace_polygon() {
     const std::size_t sides = result_.sides.size();
-    std::vector<int> up(s_.nodes.size());
-    std::iota(up.begin(), up.end(), 0);
-    const auto root = [&up](int x) {
-      while (up[x] != x) x = up[x] = up[up[x]];
-      return x;
-    };
+    disjoint_sets connected(s_.nodes.size());
     std::vector<int> of_face(o_.next.size(), -1);
     for (const auto& p : parts_) {
       int& f = of_face[p.face];
       if (f < 0) f = p.from;
-      up[root(p.from)] = root(f);
-      up[root(p.to)] = root(f);
+      connected.unite(p.from, f);
+      connected.unite(p.to, f);
     }
     std::vector<int> before(s_.nodes.size(), -1);
     for (const auto& s : result_.sides) before[s.to] = s.from;
@@ -209,7 +204,7 @@ class face_tracer {
         seen[v] = true;
         l.nodes.push_back(v);
       }
-      int& p = piece[root(first)];
+      int& p = piece[connected.find(first)];
       if (p < 0) p = pieces++;
       result_.rings.push_back(p);
     }

@@ -102,7 +102,7 @@ class initial_front {
     line_id c = 0;
     while (!k_.transversal(a, c)) ++c;
     const triple q = sorted(triple{a, b, c});
-    return k_.closing(*k_.meet(q)) == lambda(q, position(q, a), [this](line_id x, line_id y) { return k_.orientation(x, y); });
+    return k_.closing(*k_.meet(q)) == lambda(k_, q, position(q, a));
   }
 
   void begin_arc(int v) {

@@ -5,6 +5,7 @@
 /// What algorithms of the plane may ask of a kernel beyond the concept.
 
 #include <concepts>
+#include <cstddef>
 #include <optional>
 
 #include "osteon/core/kernel.hpp"
@@ -25,5 +26,12 @@ concept limit_kernel = kernel<K, 2> && requires(const K& k, line_id a, const typ
   // Whether the corner of the last two lines lies on the first at the moment.
   { k.touches(a, a, a, m) } -> std::same_as<bool>;
 };
+
+/// Returns the sign of lambda_r of three lines: of the determinant of the other two lines' normals, negated for the middle one (see kernel.hpp of
+/// core). *Requires* ascending lines, r < 3.
+template <kernel<2> K>
+sign lambda(const K& k, const triple& lines, std::size_t r) {
+  return osteon::lambda(lines, r, [&k](line_id a, line_id b) { return k.orientation(a, b); });
+}
 
 }  // namespace osteon::plane

@@ -67,12 +67,11 @@ class local_reader {
  private:
   // The cell that vanishes, and the directions of the lines.
   void orient(local_state& s, sign closing) const {
-    const triple& q = s.lines;
-    const std::array<sign, 3> turns = {k_.orientation(q[1], q[2]), -k_.orientation(q[0], q[2]), k_.orientation(q[0], q[1])};
+    const std::array<sign, 3> lambdas = {lambda(k_, s.lines, 0), lambda(k_, s.lines, 1), lambda(k_, s.lines, 2)};
     for (unsigned r = 0; r < 3; ++r) {
       s.edges[r].fill(-1);
-      if (turns[r] == closing) s.small |= 1U << r;
-      for (const unsigned o : others(r)) s.grows[r][o] = (o == (r + 1) % 3) == (turns[3 - r - o] == sign::negative);
+      if (lambdas[r] == closing) s.small |= 1U << r;
+      for (const unsigned o : others(r)) s.grows[r][o] = (o == (r + 1) % 3) == (lambdas[3 - r - o] == sign::negative);
     }
   }
 

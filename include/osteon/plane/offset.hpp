@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "osteon/core/disjoint_sets.hpp"
 #include "osteon/core/error.hpp"
 #include "osteon/plane/kernel.hpp"
 #include "osteon/plane/skeleton.hpp"
@@ -190,12 +191,7 @@ class wavefront_reader {
   // What is left of the skeleton connects the rings of a part.
   void join_parts() {
     const std::size_t rings = result_.rings.size();
-    std::vector<int> up(raw_.nodes.size() - past_ + rings);
-    std::iota(up.begin(), up.end(), 0);
-    const auto root = [&up](int x) {
-      while (up[x] != x) x = up[x] = up[up[x]];
-      return x;
-    };
+    disjoint_sets connected(raw_.nodes.size() - past_ + rings);
     const int offset = static_cast<int>(rings) - past_;  // nodes come behind the rings
     for (std::size_t a = 0; a < raw_.arcs.size(); ++a) {
       const auto& arc = raw_.arcs[a];
@@ -205,12 +201,11 @@ class wavefront_reader {
         x = arc.source + offset;
       else if (ring_of_[a] >= 0)
         x = ring_of_[a];
-      if (x >= 0 && arc.target >= 0) up[root(x)] = root(arc.target + offset);
+      if (x >= 0 && arc.target >= 0) connected.unite(x, arc.target + offset);
     }
-    std::vector<int> part(up.size(), none);
-    std::vector<int> order(rings);
+    std::vector<int> part(connected.size(), none);
     for (std::size_t r = 0; r < rings; ++r) {
-      int& p = part[root(static_cast<int>(r))];
+      int& p = part[connected.find(static_cast<int>(r))];
       if (p < 0) p = result_.parts++;
       result_.rings[r].part = p;
     }

@@ -2,10 +2,11 @@
 #pragma once
 
 /// \file
-/// What a wavefront looks like in the end, when nothing happens to it any more (design 05, 06). For the certificate of the outside of polygons with
-/// edges of weight zero: without such edges it goes once around, and counting its turns is enough.
+/// What a wavefront looks like in the end, when nothing happens to it any more, for the certificate of the outside of polygons. Without edges of
+/// weight zero it goes once around, and counting its turns is enough; with them it is compared edge by edge (docs/theory/plane.md).
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,18 +18,41 @@ namespace osteon::plane {
 /// Rings of edges that never vanish, after all meetings of a perturbed kernel that are not infinitely late. On which side of a line a moving vertex
 /// is then, the meeting of the three lines tells: the distance is linear in time, and S is its slope but for the sign of lambda.
 template <kernel<2> K>
-class last_wavefront {
+class terminal_wavefront {
  public:
+  /// An edge, and its neighbours by their numbers in the list of the constructor.
   struct edge {
     line_id line;
-    int before;
-    int after;
+    int before;  ///< ends where this one starts
+    int after;   ///< starts where this one ends
   };
 
-  last_wavefront(const K& k, std::vector<edge> edges) : k_(k), edges_(std::move(edges)), some_(some_meeting(k)) {}
+  terminal_wavefront(const K& k, std::vector<edge> edges) : k_(k), edges_(std::move(edges)), some_(some_meeting(k)) {}
 
-  /// An edge that touches another one that is not its neighbour, or that has on its left what it should have on its right; nothing: the edges bound,
-  /// once, what lies on their left, and that is unbounded. Cost: a few predicates for each pair of an edge and a vertex.
+  /// Returns whether the edges are one ring that turns right once in all: counts how often its direction passes that of one edge.
+  /// *Requires* at least one edge, and none of weight zero.
+  /// *Complexity* a few predicates for each edge.
+  bool goes_once_around() const {
+    const line_id direction = edges_.front().line;
+    const auto is_right = [&](line_id l) { return k_.orientation(direction, l) == sign::negative; };
+    std::size_t length = 0;
+    int turns = 0;
+    int e = 0;
+    do {
+      const line_id from = edges_[e].line;
+      const line_id to = head_of(e);
+      const bool left_turn = k_.orientation(from, to) == sign::positive;
+      if (is_right(from) && !is_right(to) && left_turn) ++turns;
+      if (!is_right(from) && is_right(to) && !left_turn) --turns;
+      ++length;
+      e = edges_[e].after;
+    } while (e != 0);
+    return length == edges_.size() && turns == -1;
+  }
+
+  /// Returns an edge that touches another one that is not its neighbour, or that has on its left what it should have on its right. Nothing: the edges
+  /// bound, once, what lies on their left, and that is unbounded.
+  /// *Complexity* a few predicates for each pair of an edge and a vertex.
   std::optional<int> find_crossing() const {
     std::vector<bool> seen(edges_.size());
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
@@ -52,12 +76,10 @@ class last_wavefront {
   // The side of line c on which the vertex of two other lines is in the end; zero on one of these.
   sign side(line_id c, line_id a, line_id b) const {
     if (c == a || c == b) return sign::zero;
-    triple q = {a, b, c};
-    std::sort(q.begin(), q.end());
+    const triple q = sorted(triple{a, b, c});
     const auto m = k_.meet(q);
     if (!m || is_never(*m)) return k_.side(c, a, b, some_);  // it is the same at all times
-    const sign lambda = c == q[1] ? -k_.orientation(q[0], q[2]) : c == q[0] ? k_.orientation(q[1], q[2]) : k_.orientation(q[0], q[1]);
-    return -(k_.closing(*m) * lambda);
+    return -(k_.closing(*m) * lambda(k_, q, position(q, c)));
   }
 
   // Any that has a moment. The lines of a polygon do not all move as one body, unless they do not move.
