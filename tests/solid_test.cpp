@@ -256,7 +256,7 @@ TEST(Solid, FlipAndTriangulate) {
   m = bent.to_mesh();
   m.weights = {1, 2, 3, 4, 5, 6};
   EXPECT_EQ(fault_of(m), input_fault::not_planar);
-  triangulate_facets(m);
+  EXPECT_EQ(triangulate_facets(m), (std::vector<int>{0, 1, 1, 2, 3, 3, 4, 4, 5}));
   EXPECT_EQ(m.facets.size(), 9U);
   EXPECT_EQ(m.weights, (std::vector<integer>{1, 2, 2, 3, 4, 4, 5, 5, 6}));
   expect_counts(make_solid(m), 8, 15, 9, 9);

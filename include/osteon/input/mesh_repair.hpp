@@ -69,20 +69,23 @@ std::vector<std::vector<int>> cut_ears(const surface<Int>& s, std::size_t f) {
 
 }  // namespace detail
 
-/// Cuts every facet that is not planar into triangles; planar facets stay whole.
+/// Cuts every facet that is not planar into triangles; planar facets stay whole. Returns the facet
+/// that each facet of the result was, or is a part of, by its former number.
 /// *Throws* input_error where facets name no points (see check_facets) or coordinates are absurd.
 template <class Int>
-void triangulate_facets(input_mesh<Int>& m) {
+std::vector<int> triangulate_facets(input_mesh<Int>& m) {
   check_facets(m);
   surface<Int> s;
   s.input = m;
   scale_points(s);
+  std::vector<int> former;
   std::vector<std::vector<int>> facets;
   std::vector<std::size_t> lines;
   std::vector<Int> weights;
   for (std::size_t f = 0; f < m.facets.size(); ++f) {
     auto pieces = is_planar(s, f) ? std::vector<std::vector<int>>{std::move(m.facets[f])} : detail::cut_ears(s, f);
     for (auto& piece : pieces) {
+      former.push_back(static_cast<int>(f));
       facets.push_back(std::move(piece));
       if (f < m.facet_lines.size()) lines.push_back(m.facet_lines[f]);
       if (f < m.weights.size()) weights.push_back(m.weights[f]);
@@ -91,6 +94,7 @@ void triangulate_facets(input_mesh<Int>& m) {
   m.facets = std::move(facets);
   m.facet_lines = std::move(lines);
   m.weights = std::move(weights);
+  return former;
 }
 
 }  // namespace osteon
