@@ -16,7 +16,7 @@
 
 #include "json_reader.hpp"
 #include "osteon/core/error.hpp"
-#include "osteon/evaluate/locate.hpp"
+#include "osteon/evaluate/meeting.hpp"
 #include "osteon/input/solid.hpp"
 #include "osteon/kernel/integer.hpp"
 #include "osteon/space/contract.hpp"

@@ -68,7 +68,7 @@ struct offset_command {
   // The wavefront is followed a little longer than to the last offset.
   static double until(const plane::polygon<integer>& p, const rational& last) {
     const plane::vertex_enclosures motion(p.lines, p.points, true);
-    return motion.moment(plane::input_scale(p).to_integers(last).convert_to<double>()) * (1 + 1e-9) + 1e-300;
+    return motion.own_time(plane::input_scale(p).to_integers(last).convert_to<double>()) * (1 + 1e-9) + 1e-300;
   }
 
   static std::string number(double x) { return json(x).dump(); }

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "json_reader.hpp"
-#include "osteon/evaluate/planar_locate.hpp"
+#include "osteon/evaluate/locate.hpp"
 #include "planar.hpp"
 
 namespace osteon::app {
@@ -41,8 +41,7 @@ inline int faces_of(const plane::skeleton& s) {
 /// skeleton has. Exact numbers are strings; `time` and `point` follow from the lines and are rounded to doubles, in the units of the input. Edge i,
 /// face i and vertex i belong together (see `outline`), counted from 0.
 inline void write_planar_skeleton(std::ostream& out, const plane::polygon<integer>& p, const planar_skeletons& s, const planar_provenance& by) {
-  const plane::unit_lines lines(p.lines, p.points);
-  const plane::fast_locator where(p, lines);
+  const plane::fast_locator where(p);
   const auto list = [&out](const char* name, std::size_t size, auto element) {
     fmt::print(out, "\"{}\":[", name);
     for (std::size_t i = 0; i < size; ++i) {

@@ -26,7 +26,7 @@
 #include <vector>
 
 #include "osteon/evaluate/anchors.hpp"
-#include "osteon/evaluate/planar_locate.hpp"
+#include "osteon/evaluate/locate.hpp"
 #include "osteon/evaluate/vertex_enclosures.hpp"
 #include "osteon/input/make_polygon.hpp"
 #include "osteon/input/read_polygon.hpp"
@@ -154,11 +154,10 @@ class fold {
     const std::span<const moving_line<integer>> lines(p.lines);
     const perturbed kernel(filtered(lines, make_sqrt_kernel(lines), anchors_of(p)));
     const plane::vertex_enclosures motion(lines, p.points, outside);
-    const plane::unit_lines units(lines, p.points);
-    const plane::fast_locator locator(p, units);
+    const plane::fast_locator locator(p);
     plane::skeleton_options o{.outside = outside};
     // No edge's line is farther than that from any place on the paper.
-    if (outside) o.until = motion.moment(locator.unit().to_integers(rational(2 * size_)).convert_to<double>());
+    if (outside) o.until = motion.own_time(locator.unit().to_integers(rational(2 * size_)).convert_to<double>());
     const auto raw = plane::propagation(kernel, p.boundary, motion, o).run();
     const auto skeleton = plane::contract(kernel.base(), p.boundary.line, raw);
     const int first = static_cast<int>(faces_.size());

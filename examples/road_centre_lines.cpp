@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "osteon/evaluate/anchors.hpp"
-#include "osteon/evaluate/planar_locate.hpp"
+#include "osteon/evaluate/locate.hpp"
 #include "osteon/evaluate/vertex_enclosures.hpp"
 #include "osteon/input/make_polygon.hpp"
 #include "osteon/input/read_polygon.hpp"
@@ -42,8 +42,7 @@ class centre_lines {
     const perturbed kernel(filtered(lines, make_sqrt_kernel(lines), anchors_of(p)));
     const auto raw = plane::propagation(kernel, p.boundary, plane::vertex_enclosures(lines, p.points)).run();
     const auto skeleton = plane::contract(kernel.base(), p.boundary.line, raw);
-    const plane::unit_lines units(lines, p.points);
-    const plane::fast_locator locator(p, units);
+    const plane::fast_locator locator(p);
     for (const auto& n : skeleton.nodes) places_.push_back(n.vertex >= 0 ? locator.vertex(n.vertex) : locator.meeting(n.lines));
     at_.resize(places_.size());
     std::map<std::pair<int, int>, int> corners;  // how many arcs lead from vertices to a node beside a face

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "osteon/core/error.hpp"
-#include "osteon/plane/kernel.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/skeleton.hpp"
 
 namespace osteon::plane {

@@ -21,7 +21,7 @@
 #include "osteon/plane/boundary.hpp"
 #include "osteon/plane/catalogue.hpp"
 #include "osteon/plane/event_queue.hpp"
-#include "osteon/plane/kernel.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/skeleton.hpp"
 #include "osteon/plane/wavefront.hpp"
 

@@ -42,7 +42,7 @@
 
 #include "osteon/plane/boundary.hpp"
 #include "osteon/plane/contract.hpp"
-#include "osteon/plane/kernel.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/skeleton.hpp"
 #include "osteon/plane/terminal_wavefront.hpp"
 
