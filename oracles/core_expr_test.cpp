@@ -118,7 +118,7 @@ class examination {
   }
 
   static bool repeats(const quadruple& q) {
-    const quadruple s = ascending(q);
+    const quadruple s = sorted(q);
     return std::adjacent_find(s.begin(), s.end()) != s.end();
   }
 
@@ -175,9 +175,9 @@ class examination {
       case question::meet: {
         const auto m = exact_.meet(r);
         const auto n = quick_.meet(r);
-        EXPECT_TRUE(!m || exact_.planes(*m) == ascending(r)) << describe("planes", r);
-        return check("closing", oracle_.closing(ascending(r)), m ? exact_.closing(*m) : sign::zero, n ? quick_.closing(*n) : sign::zero,
-                     ascending(r));
+        EXPECT_TRUE(!m || exact_.planes(*m) == sorted(r)) << describe("planes", r);
+        return check("closing", oracle_.closing(sorted(r)), m ? exact_.closing(*m) : sign::zero, n ? quick_.closing(*n) : sign::zero,
+                     sorted(r));
       }
       case question::compare: {
         if (oracle_.closing(q) == sign::zero || oracle_.closing(r) == sign::zero) return std::nullopt;
@@ -226,13 +226,13 @@ class examination {
                      quick_.cross_at(grade, q, r), q, r);
       }
       case question::perturbed_compare: {
-        if (ascending(q) == ascending(r)) return std::nullopt;
+        if (sorted(q) == sorted(r)) return std::nullopt;
         const sign truth = leading([&](int g) { return oracle_.cross_at(g, q, r); }) * closing(q) * closing(r);
         const sign answer = tilted_.compare(*tilted_.meet(q), *tilted_.meet(r));
         return check("compare, perturbed", truth, answer, answer, q, r);
       }
       case question::perturbed_side: {
-        if (ascending(q) == ascending(r)) return std::nullopt;
+        if (sorted(q) == sorted(r)) return std::nullopt;
         const sign truth =
             leading([&](int g) { return oracle_.cross_at(g, r, q); }) * closing(q) * leading([&](int g) { return oracle_.orientation_at(g, t); });
         const sign answer = tilted_.side(r[3], t[0], t[1], t[2], *tilted_.meet(q));

@@ -18,7 +18,7 @@
 
 #include "osteon/core/kernel.hpp"
 #include "osteon/input/moving_plane.hpp"
-#include "osteon/kernel/formulas.hpp"
+#include "osteon/kernel/perturbation.hpp"
 #include "osteon/kernel/integer.hpp"
 
 namespace osteon::oracles {

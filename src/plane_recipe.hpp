@@ -11,7 +11,7 @@
 #include <string>
 
 #include "osteon/evaluate/anchors.hpp"
-#include "osteon/evaluate/planar_locate.hpp"
+#include "osteon/evaluate/locate.hpp"
 #include "osteon/evaluate/vertex_enclosures.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/perturbed.hpp"
@@ -29,7 +29,7 @@ plane::skeleton raw_skeleton(const K& k, const plane_question& q) {
   const plane::vertex_enclosures motion(p.lines, p.points, q.exterior);
   plane::skeleton_options o;
   o.outside = q.exterior;
-  if (q.until) o.until = motion.moment(plane::input_scale(p).to_integers(*q.until).template convert_to<double>()) * (1 + 1e-9) + 1e-300;
+  if (q.until) o.until = motion.own_time(plane::input_scale(p).to_integers(*q.until).template convert_to<double>()) * (1 + 1e-9) + 1e-300;
   return plane::propagation(k, p.boundary, motion, o).run();
 }
 

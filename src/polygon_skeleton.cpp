@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "decimals.hpp"
-#include "osteon/evaluate/exact_place.hpp"
+#include "osteon/evaluate/place_digits.hpp"
 #include "osteon/kernel/to_double.hpp"
 #include "polygon_data.hpp"
 
@@ -190,7 +190,7 @@ std::array<std::string, 2> polygon_skeleton::node::point_exact(int digits) const
   if (v >= 0)
     return {decimal_digits(rational(p.points[v][0] + p.shift[0]) * scale, digits),
             decimal_digits(rational(p.points[v][1] + p.shift[1]) * scale, digits)};
-  const exact_place<2> at(p.lines, of_.data->lines(of_.raw, id_));
+  const place_digits<2> at(p.lines, of_.data->lines(of_.raw, id_));
   if (!at.exists()) throw unsupported_error("three lines of a node do not meet");
   return {at.digits_of(at.coordinate(0), p.shift[0], scale, digits), at.digits_of(at.coordinate(1), p.shift[1], scale, digits)};
 }
@@ -198,13 +198,13 @@ std::array<std::string, 2> polygon_skeleton::node::point_exact(int digits) const
 std::string polygon_skeleton::node::time_exact(int digits) const {
   const auto& p = *of_.data->input;
   if (vertex() >= 0) return decimal_digits(0, digits);
-  const exact_place<2> at(p.lines, of_.data->lines(of_.raw, id_));
+  const place_digits<2> at(p.lines, of_.data->lines(of_.raw, id_));
   if (!at.exists()) throw unsupported_error("three lines of a node do not meet");
   return at.digits_of(at.time(), 0, power_of(p.ten - p.weight_ten, p.two - p.weight_two), digits);
 }
 
 bool polygon_skeleton::node::has_place() const {
-  return vertex() >= 0 || exact_place<2>(of_.data->input->lines, of_.data->lines(of_.raw, id_)).exists();
+  return vertex() >= 0 || place_digits<2>(of_.data->input->lines, of_.data->lines(of_.raw, id_)).exists();
 }
 
 event_kind polygon_skeleton::node::event() const {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "lazy.hpp"
+#include "osteon/evaluate/locate.hpp"
 #include "osteon/evaluate/offset.hpp"
-#include "osteon/evaluate/planar_locate.hpp"
 #include "osteon/plane/faces.hpp"
 #include "plane_run.hpp"
 

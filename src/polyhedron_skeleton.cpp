@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "osteon/core/error.hpp"
-#include "osteon/evaluate/exact_place.hpp"
-#include "osteon/evaluate/locate.hpp"
+#include "osteon/evaluate/meeting.hpp"
+#include "osteon/evaluate/place_digits.hpp"
 
 namespace osteon {
 namespace {
@@ -150,7 +150,7 @@ std::array<std::string, 3> polyhedron_skeleton::node::point_exact(int digits) co
     for (std::size_t axis = 0; axis < 3; ++axis) text[axis] = decimal_digits(rational(p[axis] + s.shift[axis]) * unit, digits);
     return text;
   }
-  const exact_place<3> at(s.planes, n.planes);
+  const place_digits<3> at(s.planes, n.planes);
   if (!at.exists()) no_place();
   for (int axis = 0; axis < 3; ++axis) text[axis] = at.digits_of(at.coordinate(axis), s.shift[axis], unit, digits);
   return text;
@@ -159,7 +159,7 @@ std::array<std::string, 3> polyhedron_skeleton::node::point_exact(int digits) co
 std::string polyhedron_skeleton::node::time_exact(int digits) const {
   const auto& n = of_.data->result.raw.nodes[of_.data->raw_node(of_.raw, id_)];
   if (n.vertex >= 0) return decimal_digits(0, digits);
-  const exact_place<3> at(of_.data->body().planes, n.planes);
+  const place_digits<3> at(of_.data->body().planes, n.planes);
   if (!at.exists()) no_place();
   return at.digits_of(at.time(), 0, unit_of(of_.data->body()), digits);
 }

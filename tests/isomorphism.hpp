@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/evaluate/locate.hpp"
+#include "osteon/evaluate/meeting.hpp"
 #include "osteon/space/contract.hpp"
 #include "support.hpp"
 

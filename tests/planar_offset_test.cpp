@@ -205,8 +205,8 @@ TEST(planar_offset, swept_hole) {
 }
 
 // As if what happens at the moment had not happened yet: an edge has no length.
-struct just_before : instant {
-  using instant::instant;
+struct just_before : lines_at_time {
+  using lines_at_time::lines_at_time;
   bool is_past(const triple& q) const { return level(q[0], q[1], q[2]) == -closing(q[0], q[1], q[2]); }
 };
 
@@ -214,7 +214,7 @@ TEST(planar_offset, edges_of_no_length_are_left_out) {
   const case_of c(region{{{0, 0}, {33, 0}, {36, 4}, {36, 36}, {0, 36}}});  // the short edge vanishes at time 6
   EXPECT_EQ(c.o.exactly_at(rational(59, 10)).rings.at(0).points.size(), 5U);
   EXPECT_EQ(points_of(c.o.exactly_at(6)), exact({{6, 6}, {30, 6}, {30, 30}, {6, 30}}));
-  const unit_lines lines(c.p.lines, c.p.points);
+  const auto& lines = c.o.places().lines();
   const auto w = wavefront_at(c.s, c.p.boundary.line, just_before(c.p.lines, lines, 6));
   ASSERT_EQ(w.rings.size(), 1U);
   EXPECT_EQ(w.rings[0].size, 4);

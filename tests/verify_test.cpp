@@ -380,7 +380,7 @@ template <kernel<3> K>
 class blind : public K {
  public:
   blind(K k, quadruple unseen) : K(std::move(k)), unseen_(unseen) {}
-  std::optional<typename K::meeting> meet(const quadruple& q) const { return ascending(q) == unseen_ ? std::nullopt : K::meet(q); }
+  std::optional<typename K::meeting> meet(const quadruple& q) const { return sorted(q) == unseen_ ? std::nullopt : K::meet(q); }
 
  private:
   quadruple unseen_;

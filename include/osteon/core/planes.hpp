@@ -2,31 +2,37 @@
 #pragma once
 
 /// \file
-/// Numbers of planes, and lists of as many as meet in a vertex or an event. In the plane they are the numbers of lines.
+/// Numbers of planes, and lists of as many as meet in a vertex or an event. In the plane they are
+/// the numbers of lines.
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
-
-#include "osteon/core/sign.hpp"
+#include <utility>
 
 namespace osteon {
 
 /// A plane's number in the kernel: 0 .. size() - 1. Negative numbers mean "none".
 using plane_id = std::int32_t;
-/// Three planes: a vertex. Four planes: an event.
+/// The same in the plane, where planes are lines.
+using line_id = plane_id;
+/// Three planes: a corner of space; three lines: a meeting in the plane.
 using triple = std::array<plane_id, 3>;
+/// Four planes: a meeting in space.
 using quadruple = std::array<plane_id, 4>;
-/// As many planes as meet in a vertex and in an event, in space of this dimension.
+/// As many planes as make a corner, in a space of this dimension.
 template <int Dimension>
 using corner_planes = std::array<plane_id, Dimension>;
+/// As many planes as make a meeting, in a space of this dimension.
 template <int Dimension>
 using meeting_planes = std::array<plane_id, Dimension + 1>;
 
-/// Hash of a list of planes (multiplicative, after Knuth, TAOCP 6.4).
+/// Hash of a list of planes. *Source* Knuth, The Art of Computer Programming 3, 6.4
+/// (multiplicative).
 struct plane_hash {
+  /// Returns a hash that depends on the order of the planes.
   template <std::size_t N>
   std::size_t operator()(const std::array<plane_id, N>& planes) const noexcept {
     std::uint64_t h = 0;
@@ -59,13 +65,22 @@ constexpr std::size_t position(const std::array<plane_id, N>& planes, plane_id p
   return static_cast<std::size_t>(std::find(planes.begin(), planes.end(), p) - planes.begin());
 }
 
-/// Returns the sign of lambda_r, the signed minor of the normals of a meeting's planes that leaves out plane r (see kernel.hpp):
-/// lambda_r = (-1)^(N-1-r) det(the other normals). `orientation` is asked for the sign of that determinant.
+/// Returns lambda_r of a meeting (see kernel.hpp), the signed minor of the normals that leaves out
+/// plane r: lambda_r = (-1)^(N-1-r) minor(the other planes). `minor` is called with N - 1 plane
+/// numbers and returns the determinant of their normals, or its sign; what it returns needs a unary
+/// minus.
 /// *Requires* r < N.
-template <std::size_t N, class Orientation>
-constexpr sign lambda(const std::array<plane_id, N>& planes, std::size_t r, Orientation orientation) {
-  const sign minor = std::apply(orientation, omit(planes, r));
-  return (N - 1 - r) % 2 == 0 ? minor : -minor;
+template <std::size_t N, class Minor>
+constexpr auto lambda(const std::array<plane_id, N>& planes, std::size_t r, Minor minor) {
+  auto value = std::apply(minor, omit(planes, r));
+  return (N - 1 - r) % 2 == 0 ? value : decltype(value)(-value);
+}
+
+/// Returns all lambdas of a meeting (see lambda).
+template <std::size_t N, class Minor>
+constexpr auto lambdas(const std::array<plane_id, N>& planes, Minor minor) {
+  return [&]<std::size_t... R>(std::index_sequence<R...>) { return std::array{lambda(planes, R, minor)...}; }
+  (std::make_index_sequence<N>{});
 }
 
 }  // namespace osteon

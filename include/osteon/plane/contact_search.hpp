@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "osteon/core/box_tree.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/core/prefetch.hpp"
 #include "osteon/core/short_list.hpp"
 #include "osteon/plane/boundary.hpp"
 #include "osteon/plane/front_surgery.hpp"
-#include "osteon/plane/kernel.hpp"
 #include "osteon/plane/local_state.hpp"
 #include "osteon/plane/motion_bounds.hpp"
 #include "osteon/plane/schedule.hpp"

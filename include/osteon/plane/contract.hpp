@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "osteon/core/error.hpp"
-#include "osteon/plane/kernel.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/node_places.hpp"
 #include "osteon/plane/ridges.hpp"
 #include "osteon/plane/skeleton.hpp"

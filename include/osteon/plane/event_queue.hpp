@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "osteon/core/box_tree.hpp"
-#include "osteon/plane/kernel.hpp"
+#include "osteon/core/kernel.hpp"
 
 namespace osteon::plane {
 

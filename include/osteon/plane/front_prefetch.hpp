@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "osteon/core/kernel.hpp"
 #include "osteon/core/prefetch.hpp"
 #include "osteon/plane/contact_search.hpp"
 #include "osteon/plane/event_queue.hpp"
-#include "osteon/plane/kernel.hpp"
 #include "osteon/plane/motion_bounds.hpp"
 #include "osteon/plane/schedule.hpp"
 #include "osteon/plane/traced_front.hpp"

@@ -7,9 +7,9 @@
 #include <array>
 
 #include "osteon/core/error.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/core/short_list.hpp"
 #include "osteon/plane/catalogue.hpp"
-#include "osteon/plane/kernel.hpp"
 #include "osteon/plane/local_state.hpp"
 #include "osteon/plane/traced_front.hpp"
 

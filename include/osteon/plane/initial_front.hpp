@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/boundary.hpp"
-#include "osteon/plane/kernel.hpp"
 #include "osteon/plane/traced_front.hpp"
 
 namespace osteon::plane {

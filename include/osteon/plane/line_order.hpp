@@ -10,8 +10,8 @@
 #include <set>
 #include <vector>
 
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/boundary.hpp"
-#include "osteon/plane/kernel.hpp"
 #include "osteon/plane/replayed_front.hpp"
 
 namespace osteon::plane {

@@ -8,9 +8,9 @@
 #include <cstddef>
 #include <optional>
 
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/catalogue.hpp"
 #include "osteon/plane/event_queue.hpp"
-#include "osteon/plane/kernel.hpp"
 #include "osteon/plane/wavefront.hpp"
 
 namespace osteon::plane {

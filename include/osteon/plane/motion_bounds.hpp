@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "osteon/core/box_tree.hpp"
-#include "osteon/plane/kernel.hpp"
+#include "osteon/core/kernel.hpp"
 
 namespace osteon::plane {
 

@@ -14,7 +14,7 @@
 
 #include "osteon/core/disjoint_sets.hpp"
 #include "osteon/core/error.hpp"
-#include "osteon/plane/kernel.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/skeleton.hpp"
 
 namespace osteon::plane {

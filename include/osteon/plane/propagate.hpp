@@ -27,12 +27,12 @@
 #include <string>
 
 #include "osteon/core/error.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/boundary.hpp"
 #include "osteon/plane/contact_search.hpp"
 #include "osteon/plane/front_prefetch.hpp"
 #include "osteon/plane/front_surgery.hpp"
 #include "osteon/plane/initial_front.hpp"
-#include "osteon/plane/kernel.hpp"
 #include "osteon/plane/local_state.hpp"
 #include "osteon/plane/motion_bounds.hpp"
 #include "osteon/plane/schedule.hpp"

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "osteon/core/certificate.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/core/short_list.hpp"
 #include "osteon/plane/boundary.hpp"
-#include "osteon/plane/kernel.hpp"
 #include "osteon/plane/line_order.hpp"
 #include "osteon/plane/replayed_front.hpp"
 #include "osteon/plane/rule.hpp"

@@ -10,7 +10,7 @@
 
 #include "osteon/core/certificate.hpp"
 #include "osteon/core/disjoint_sets.hpp"
-#include "osteon/plane/kernel.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/rule.hpp"
 #include "osteon/plane/skeleton.hpp"
 

@@ -13,7 +13,7 @@
 
 #include "osteon/core/disjoint_sets.hpp"
 #include "osteon/core/error.hpp"
-#include "osteon/plane/kernel.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/node_places.hpp"
 #include "osteon/plane/skeleton.hpp"
 

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/event_queue.hpp"
-#include "osteon/plane/kernel.hpp"
 #include "osteon/plane/motion_bounds.hpp"
 #include "osteon/plane/wavefront.hpp"
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "osteon/core/certificate.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/boundary.hpp"
-#include "osteon/plane/kernel.hpp"
 #include "osteon/plane/rule.hpp"
 #include "osteon/plane/skeleton.hpp"
 

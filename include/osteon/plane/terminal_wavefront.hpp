@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/plane/kernel.hpp"
+#include "osteon/core/kernel.hpp"
 
 namespace osteon::plane {
 

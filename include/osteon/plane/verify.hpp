@@ -34,8 +34,8 @@
 #include <vector>
 
 #include "osteon/core/certificate.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/boundary.hpp"
-#include "osteon/plane/kernel.hpp"
 #include "osteon/plane/replay.hpp"
 #include "osteon/plane/replay_start.hpp"
 #include "osteon/plane/replayed_front.hpp"

@@ -14,9 +14,9 @@
 
 #include "osteon/core/certificate.hpp"
 #include "osteon/core/disjoint_sets.hpp"
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/boundary.hpp"
 #include "osteon/plane/contract.hpp"
-#include "osteon/plane/kernel.hpp"
 #include "osteon/plane/rule.hpp"
 #include "osteon/plane/skeleton.hpp"
 #include "osteon/plane/structure.hpp"

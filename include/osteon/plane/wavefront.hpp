@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/plane/kernel.hpp"
+#include "osteon/core/kernel.hpp"
 
 namespace osteon::plane {
 

@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "osteon/core/kernel.hpp"
 #include "osteon/plane/front_surgery.hpp"
-#include "osteon/plane/kernel.hpp"
 #include "osteon/plane/traced_front.hpp"
 
 namespace osteon::plane {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -16,7 +15,9 @@
 
 namespace osteon {
 
-/// The vertex where an edge of each line starts (see round_planes); none at all where coordinates are too long for doubles. Cost: linear.
+/// Returns for each line the vertex where an edge of it starts (see round_planes); nothing at all
+/// where coordinates are too long for doubles.
+/// *Complexity* linear.
 inline std::vector<std::array<double, 2>> anchors_of(const plane::polygon<integer>& p) {
   std::vector<std::array<double, 2>> anchors(p.lines.size());
   for (std::size_t i = 0; i < p.points.size(); ++i) {

@@ -12,7 +12,10 @@
 #include <vector>
 
 #include "osteon/core/error.hpp"
-#include "osteon/evaluate/planar_locate.hpp"
+#include "osteon/evaluate/input_scale.hpp"
+#include "osteon/evaluate/lines_at_time.hpp"
+#include "osteon/evaluate/locate.hpp"
+#include "osteon/evaluate/meeting.hpp"
 #include "osteon/evaluate/triangulate.hpp"
 #include "osteon/input/polygon.hpp"
 #include "osteon/kernel/integer.hpp"
@@ -26,7 +29,9 @@ template <class Number>
 struct offset_polygon {
   struct ring {
     std::vector<std::array<Number, 2>> points;  ///< counter-clockwise, holes clockwise
-    std::vector<int> edges;                     ///< of the polygon: the one (the first of those merged) whose line the edge from each point is on
+    /// By point: the edge of the polygon on whose line the edge that starts there lies; of edges
+    /// that have merged, the first one.
+    std::vector<int> edges;
     bool hole;
     int part;  ///< connected piece of the interior
   };
@@ -36,7 +41,8 @@ struct offset_polygon {
 
 namespace detail {
 
-/// Holes in parts without an outer ring go to the smallest outer ring that contains them; outer rings may be nested, but do not cross.
+/// Gives each hole of a part without an outer ring to the smallest outer ring that contains it, and
+/// numbers the parts anew. Outer rings may be nested, but do not cross.
 template <class Number>
 void place_holes(offset_polygon<Number>& p) {
   std::vector<bool> has_outer(p.parts, false);
@@ -87,8 +93,9 @@ void place_holes(offset_polygon<Number>& p) {
 
 }  // namespace detail
 
-/// The rings turned round: what an offset outwards (of what is outside of a polygon, see make_polygon) has left out is the grown polygon. There edge
-/// i lies on the line of the edge that ends, not starts, at vertex i of the polygon.
+/// Returns the polygon with its rings turned round. What an offset of the outside of a polygon (see
+/// make_polygon) has left out is the grown polygon; this is it. There edge i lies on the line of
+/// the edge that ends, not starts, at vertex i of the polygon.
 template <class Number>
 offset_polygon<Number> complement(offset_polygon<Number> p) {
   p.parts = 0;
@@ -103,33 +110,39 @@ offset_polygon<Number> complement(offset_polygon<Number> p) {
   return p;
 }
 
-/// Offsets of a polygon inwards; of what is outside of one, outwards. Time is the distance that an edge of weight 1 has moved, in the units of the
-/// input. Keeps references to its arguments. Setup: linear.
+/// The offsets of a polygon inwards; of the outside of one, outwards. Times are distances that an
+/// edge of weight 1 has moved, in the units of the input. Keeps references to its arguments.
+/// *Complexity* linear to make; then see wavefront_at.
 class offsets {
  public:
-  offsets(const polygon<integer>& p, const skeleton& raw) : polygon_(p), raw_(raw), lines_(p.lines, p.points), places_(p, lines_) {}
+  offsets(const polygon<integer>& p, const skeleton& raw) : polygon_(p), raw_(raw), places_(p) {}
 
-  /// Rings as numbers of arcs. Throws input_error for a negative time. Cost: see wavefront_at.
+  /// Returns the wavefront at a time as rings of arcs.
+  /// *Throws* input_error for a negative time.
   wavefront_rings wavefront(const rational& time) const {
     if (time < 0) throw input_error(input_fault::bad_number, 0, "an offset at a negative time", "give a time of zero or more");
-    return wavefront_at(raw_, polygon_.boundary.line, instant(polygon_.lines, lines_, places_.unit().to_integers(time)));
+    return wavefront_at(raw_, polygon_.boundary.line, lines_at_time(polygon_.lines, places_.lines(), places_.unit().to_integers(time)));
   }
 
-  /// With points as doubles, correct to a few units in the last place relative to the polygon's size: edges shorter than that may come to nothing.
+  /// Returns the offset with points as doubles, correct to a few units in the last place relative
+  /// to the polygon's size. Edges shorter than that may come to nothing.
+  /// *Throws* input_error for a negative time.
   offset_polygon<double> at(const rational& time) const {
     const rational t = places_.unit().to_integers(time);
     const double_double scaled = places_.scaled(t);
     return fill<double>(time, [&](line_id a, line_id b) { return places_.vertex_at(a, b, t, scaled); });
   }
 
-  /// With points as rationals, coordinates within 2^-bits of the polygon's integer unit 10^ten 2^two.
+  /// Returns the offset with points as rationals, coordinates within 2^-bits of the polygon's
+  /// integer unit 10^ten 2^two.
+  /// *Throws* input_error for a negative time.
   offset_polygon<rational> exactly_at(const rational& time, unsigned bits = 64) const {
     const rational t = places_.unit().to_integers(time);
     const locator exact(polygon_.lines);
-    return fill<rational>(time, [&](line_id a, line_id b) { return places_.unit().to_input(exact.vertex_at(a, b, t, bits)); });
+    return fill<rational>(time, [&](line_id a, line_id b) { return places_.unit().to_input(exact.vertex_at({a, b}, t, bits)); });
   }
 
-  /// The places and times of nodes.
+  /// Returns what finds the places and times of nodes.
   const fast_locator& places() const { return places_; }
 
  private:
@@ -156,7 +169,6 @@ class offsets {
 
   const polygon<integer>& polygon_;
   const skeleton& raw_;
-  unit_lines lines_;
   fast_locator places_;
 };
 

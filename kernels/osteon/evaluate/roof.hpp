@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// Roofs: the faces of a skeleton raised to the height at which the wavefront passes, closed below by the polygon.
+/// Roofs: the faces of a skeleton raised to the height at which the wavefront passes, closed below
+/// by the polygon.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +15,7 @@
 #include <vector>
 
 #include "osteon/core/error.hpp"
-#include "osteon/evaluate/planar_locate.hpp"
+#include "osteon/evaluate/locate.hpp"
 #include "osteon/evaluate/triangulate.hpp"
 #include "osteon/input/polygon.hpp"
 #include "osteon/kernel/integer.hpp"
@@ -30,25 +31,27 @@ struct roof_options {
   double eaves = 0;          ///< height of the polygon
   bool walls = false;        ///< down from the eaves to height 0; requires eaves greater than zero
   bool triangulate = false;  ///< every face, not only those with holes
-  /// A floor with more corners times holes than this is not cut from the polygon, but consists of the roof's faces, projected (those of weight zero
-  /// have no area there).
+  /// A floor with more corners times holes than this is not cut from the polygon, but consists of
+  /// the roof's faces, projected (those of weight zero have no area there).
   std::size_t most_effort = 1'000'000'000;
 };
 
-/// A closed surface: every edge belongs to two faces, which pass it in opposite directions. Faces are counter-clockwise seen from outside.
+/// A closed surface: every edge belongs to two faces, which pass it in opposite directions. Faces
+/// are counter-clockwise seen from outside.
 struct roof_mesh {
   enum class kind : unsigned char { roof, wall, floor };
   struct face {
     std::vector<int> corners;
     kind what;
-    int edge;  ///< of the polygon, whose face or wall it is (the first of those on one line whose faces merge); -1 for a floor
+    int edge;  ///< of the polygon, the first of those whose faces have merged; -1 for a floor
   };
   std::vector<std::array<double, 3>> points;
   std::vector<face> faces;
 };
 
-/// The weight (horizontal way for each unit of height) of an edge whose roof rises at this angle against the horizontal: the cotangent; 90 gives 0, a
-/// gable. Throws input_error unless 0 < degrees <= 90. The heights of a roof with such weights are right for slope 1.
+/// The weight (horizontal way for each unit of height) of an edge whose roof rises at this angle
+/// against the horizontal: the cotangent; 90 gives 0, a gable. Throws input_error unless 0 <
+/// degrees <= 90. The heights of a roof with such weights are right for slope 1.
 inline double weight_of_slope(double degrees) {
   if (!(degrees > 0 && degrees <= 90))
     throw input_error(input_fault::bad_weight, 0, "a roof cannot rise at this angle", "give an angle above 0 and up to 90 degrees");
@@ -62,7 +65,7 @@ namespace detail {
 class roof_builder {
  public:
   roof_builder(const polygon<integer>& p, const skeleton& raw, const contracted_skeleton& s, const roof_options& options)
-      : polygon_(p), s_(s), options_(options), lines_(p.lines, p.points), locator_(p, lines_) {
+      : polygon_(p), s_(s), options_(options), locator_(p) {
     for (const auto& n : s.nodes) places_.push_back(n.vertex >= 0 ? locator_.vertex(n.vertex) : locator_.meeting(n.lines));
     loops_ = trace_faces(p.boundary, raw, s, [this](int face, int node, int other) {
       const flat_point a = in_face(face, places_[node]);
@@ -105,7 +108,7 @@ class roof_builder {
  private:
   // Place along the face's line, and time, in comparable units.
   flat_point in_face(int face, const located& p) const {
-    const auto& n = lines_.lines[polygon_.boundary.line[face]].n;
+    const auto& n = locator_.lines()[polygon_.boundary.line[face]].n;
     const located& origin = places_[0];
     return {n[0].high * (p.y - origin.y) - n[1].high * (p.x - origin.x), p.time};
   }
@@ -205,7 +208,6 @@ class roof_builder {
   const polygon<integer>& polygon_;
   const contracted_skeleton& s_;
   const roof_options& options_;
-  unit_lines lines_;
   fast_locator locator_;
   std::vector<located> places_;  // by node
   face_loops loops_;
@@ -216,10 +218,12 @@ class roof_builder {
 
 }  // namespace detail
 
-/// The roof over a polygon: one face for each edge that sweeps an area, walls where the weight is zero (gables), a floor, in the units of the input.
-/// Faces are flat but for rounding, and not cut into triangles unless they have holes or `options` ask for it. Points are the skeleton's nodes:
-/// heights are times multiplied by the slope. `s` is the contraction of `raw`. Throws unsupported_error for unbounded skeletons, input_error for
-/// options without sense. Cost: sorting; a floor with holes, and all triangles, the square of their rings' sizes.
+/// The roof over a polygon: one face for each edge that sweeps an area, walls where the weight is
+/// zero (gables), a floor, in the units of the input. Faces are flat but for rounding, and not cut
+/// into triangles unless they have holes or `options` ask for it. Points are the skeleton's nodes:
+/// heights are times multiplied by the slope. `s` is the contraction of `raw`. Throws
+/// unsupported_error for unbounded skeletons, input_error for options without sense. Cost: sorting;
+/// a floor with holes, and all triangles, the square of their rings' sizes.
 inline roof_mesh make_roof(const polygon<integer>& p, const skeleton& raw, const contracted_skeleton& s, const roof_options& options = {}) {
   if (!(options.slope > 0) || !std::isfinite(options.slope) || !std::isfinite(options.eaves) || (options.walls && !(options.eaves > 0)))
     throw input_error(input_fault::bad_number, 0, "a roof needs a slope greater than zero and, with walls, eaves above zero",
@@ -227,7 +231,8 @@ inline roof_mesh make_roof(const polygon<integer>& p, const skeleton& raw, const
   return detail::roof_builder(p, raw, s, options).run();
 }
 
-/// Writes a mesh as Wavefront OBJ: roof, walls and floor in groups. Doubles are written so that they are read back the same.
+/// Writes a mesh as Wavefront OBJ: roof, walls and floor in groups. Doubles are written so that
+/// they are read back the same.
 inline void write_obj(std::ostream& out, const roof_mesh& m) {
   const auto precision = out.precision(17);
   for (const auto& p : m.points) out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';

@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// The spherical skeleton of a vertex (thesis 3.4): what a small sphere around the vertex cuts out of the solid's facets and of the sheets of a
-/// split. For pictures; nothing is decided with its numbers.
+/// The spherical skeleton of a vertex (thesis 3.4): what a small sphere around the vertex cuts out
+/// of the solid's facets and of the sheets of a split. For pictures; nothing is decided with its
+/// numbers.
 
 #include <array>
 #include <cmath>
@@ -20,9 +21,10 @@
 
 namespace osteon {
 
-/// Points on the unit sphere are directions from the vertex. Nodes: first the corner's edges (edge m between the facets m and m + 1), then the
-/// tree's vertices, in the direction in which they move. Arcs: first the sides of the spherical polygon, where the facets are, with -1 for the second
-/// facet; then those of the skeleton, where two facets meet as they move.
+/// Points on the unit sphere are directions from the vertex. Nodes: first the corner's edges (edge
+/// m between the facets m and m + 1), then the tree's vertices, in the direction in which they
+/// move. Arcs: first the sides of the spherical polygon, where the facets are, with -1 for the
+/// second facet; then those of the skeleton, where two facets meet as they move.
 struct spherical_skeleton {
   using vector = std::array<double, 3>;
   struct arc {
@@ -53,7 +55,8 @@ inline direction unit(const direction& a) {
   return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-/// Points from a to b counter-clockwise around the axis (a unit vector across both), less than `step` radians apart.
+/// Points from a to b counter-clockwise around the axis (a unit vector across both), less than
+/// `step` radians apart.
 inline std::vector<direction> turn(const direction& a, const direction& b, const direction& axis, double step) {
   double angle = std::atan2(dot(cross(a, b), axis), dot(a, b));
   if (angle <= 0) angle += 2 * std::numbers::pi;
@@ -70,8 +73,8 @@ inline std::vector<direction> turn(const direction& a, const direction& b, const
 
 }  // namespace local
 
-/// The spherical skeleton of a split, in doubles. `planes` are the solid's. Requires a tree of degree - 2 vertices. Cost: linear in the degree and in
-/// 1 / step.
+/// The spherical skeleton of a split, in doubles. `planes` are the solid's. Requires a tree of
+/// degree - 2 vertices. Cost: linear in the degree and in 1 / step.
 inline spherical_skeleton make_spherical_skeleton(std::span<const moving_plane<integer>> planes, const corner& c, const split_tree& t,
                                                   double step = std::numbers::pi / 60) {
   using namespace local;
@@ -121,7 +124,8 @@ inline spherical_skeleton make_spherical_skeleton(std::span<const moving_plane<i
   return s;
 }
 
-/// Cuts an arc where it passes from the front to the back, seen by an eye far away in the direction `eye`.
+/// Cuts an arc where it passes from the front to the back, seen by an eye far away in the direction
+/// `eye`.
 inline std::vector<spherical_skeleton::part> parts_of(const spherical_skeleton::arc& a, const spherical_skeleton::vector& eye) {
   using namespace local;
   std::vector<spherical_skeleton::part> parts;

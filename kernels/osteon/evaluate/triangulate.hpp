@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// Small tools for flat polygons in doubles, taken exactly: side of a line, point in ring, triangles.
+/// Small tools for flat polygons in doubles, taken exactly: side of a line, point in ring,
+/// triangles.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,8 @@ namespace osteon {
 
 using flat_point = std::array<double, 2>;
 
-/// Positive where a, b, c turn left; exact but for overflow. Doubles decide unless they cancel (Shewchuk 1997, 4.3).
+/// Positive where a, b, c turn left; exact but for overflow. Doubles decide unless they cancel
+/// (Shewchuk 1997, 4.3).
 inline sign turn_of(const flat_point& a, const flat_point& b, const flat_point& c) {
   const double left = (a[0] - c[0]) * (b[1] - c[1]);
   const double right = (a[1] - c[1]) * (b[0] - c[0]);
@@ -41,15 +43,17 @@ inline bool is_inside(const std::vector<flat_point>& ring, const flat_point& p) 
   return inside;
 }
 
-/// Cuts polygons with holes into triangles by ears (Meisters 1975), holes joined by bridges first (Eberly 2008). Corners that may be in the way are
-/// looked for in a grid: in practice a little more than linear; and number of holes times number of corners.
+/// Cuts polygons with holes into triangles by ears (Meisters 1975), holes joined by bridges first
+/// (Eberly 2008). Corners that may be in the way are looked for in a grid: in practice a little
+/// more than linear; and number of holes times number of corners.
 class ear_clipping {
  public:
   /// `points` by number; rings are lists of numbers.
   explicit ear_clipping(const std::vector<flat_point>& points) : points_(points) {}
 
-  /// Triangles of an outer ring, counter-clockwise, and clockwise holes. Rings that cross (after rounding, say) give triangles that overlap, but
-  /// always ones whose sides are those of the rings and pairs of opposite ones.
+  /// Triangles of an outer ring, counter-clockwise, and clockwise holes. Rings that cross (after
+  /// rounding, say) give triangles that overlap, but always ones whose sides are those of the rings
+  /// and pairs of opposite ones.
   std::vector<std::array<int, 3>> run(std::vector<int> outer, std::vector<std::vector<int>> holes) {
     const auto rightmost = [this](std::vector<int>& r) {
       return std::max_element(r.begin(), r.end(), [this](int a, int b) { return points_[a] < points_[b]; });
@@ -80,7 +84,7 @@ class ear_clipping {
       best = i;
     }
     std::size_t see = best == n ? 0 : at(ring[best])[0] > at(ring[(best + 1) % n])[0] ? best : (best + 1) % n;
-    if (best != n) {  // reflex corners in the triangle hide it: take the one with the smallest angle to the ray
+    if (best != n) {  // reflex corners in the triangle hide it: the smallest angle to the ray
       const flat_point hit = {nearest, p[1]};
       const flat_point far = at(ring[see]);
       const bool above = far[1] > p[1];
@@ -116,7 +120,8 @@ class ear_clipping {
     return turn_of(t[0], t[1], p) != sign::negative && turn_of(t[1], t[2], p) != sign::negative && turn_of(t[2], t[0], p) != sign::negative;
   }
 
-  // Cuts off corners whose triangle contains no reflex one, first come, first served; if rounding leaves none, any.
+  // Cuts off corners whose triangle contains no reflex one, first come, first served; if rounding
+  // leaves none, any.
   void clip(const std::vector<int>& ring) {
     const int n = static_cast<int>(ring.size());
     next_.resize(ring.size());

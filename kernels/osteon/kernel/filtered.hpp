@@ -5,6 +5,7 @@
 /// filtered<K>: certified floating point first, K only where that cannot decide.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -12,7 +13,6 @@
 #include <span>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "osteon/core/prefetch.hpp"
 #include "osteon/kernel/arithmetic_kernel.hpp"
@@ -25,12 +25,15 @@ template <int Dimension>
 class basic_filter_arithmetic : public estimated_planes<Dimension> {
  public:
   using estimated_planes<Dimension>::estimated_planes;
+  /// Returns the sign of a number, or nothing.
   std::optional<sign> decide(const estimate& x) const { return x.certain_sign(); }
+  /// Returns the sign of a form in the speeds, or nothing.
   std::optional<sign> decide(const linear_form<estimate>& f) const { return this->value(f).certain_sign(); }
 };
 using filter_arithmetic = basic_filter_arithmetic<3>;
 
-/// K with a floating-point filter in front. The same answers as K, always.
+/// The graded kernel K with a floating-point filter in front. It always gives the same answers as
+/// K.
 template <class K>
 class filtered {
  public:
@@ -39,7 +42,8 @@ class filtered {
   using corner = corner_planes<dimension>;
   using support = meeting_planes<dimension>;
 
-  /// D and S as estimates, an interval that certainly contains D / S, and one for its coefficient of e (design 04).
+  /// D and S as estimates, an interval that certainly contains D / S, and one for its coefficient
+  /// of e (docs/theory/degeneracy.md).
   struct meeting {
     support planes;
     sign closing;
@@ -52,36 +56,22 @@ class filtered {
   };
   using bisector_type = typename K::bisector_type;
 
-  /// `anchors`: see round_planes.
+  /// The kernel K and the planes that it is about; `anchors`: see round_planes.
   filtered(std::span<const moving_plane<integer, K::dimension>> planes, K exact_kernel,
            std::span<const std::array<double, K::dimension>> anchors = {})
       : fast_(basic_filter_arithmetic<dimension>(planes, anchors)), exact_(std::move(exact_kernel)) {}
+  /// Returns the kernel without the filter.
   const K& base() const { return exact_; }
 
+  // ---- the concept (see core/kernel.hpp)
+
   plane_id size() const { return exact_.size(); }
-  /// This plane will be asked about soon.
-  void prefetch(plane_id a) const { osteon::prefetch(fast_.arithmetic().plane(a)); }
-  bool has_unit_speeds() const requires requires(const K& k) { k.has_unit_speeds(); }
-  { return exact_.has_unit_speeds(); }
   template <std::same_as<plane_id>... Planes>
   requires(sizeof...(Planes) == dimension) sign orientation(Planes... of)
   const { return orientation_at(0, {of...}); }
   template <std::same_as<plane_id>... Planes>
   requires(sizeof...(Planes) == dimension) bool transversal(Planes... of) const { return orientation(of...) != sign::zero; }
 
-  meeting meeting_of(const support& q) const {
-    const support sorted = ascending(q);
-    const lambdas lambda = fast_.lambda(0, sorted);
-    meeting m = estimated(sorted, lambda);
-    refine(m);
-    std::tie(m.earliest, m.latest) = ratio(m.offset, m.speed);
-    estimate drift(0);
-    for (int r = 0; r <= dimension; ++r) drift = drift + lambda[r] * fast_.arithmetic().delta(sorted[r]);
-    std::tie(m.least_drift, m.most_drift) = ratio(drift, m.speed);
-    const auto s = m.speed.certain_sign();
-    m.closing = s ? *s : exact_.closing_at(0, m.planes);
-    return m;
-  }
   std::optional<meeting> meet(const support& q) const {
     const meeting m = meeting_of(q);
     return m.closing == sign::zero ? std::nullopt : std::optional(m);
@@ -89,7 +79,6 @@ class filtered {
   support planes(const meeting& m) const { return m.planes; }
   sign closing(const meeting& m) const { return m.closing; }
   meeting start() const { return {start_planes, sign::positive, estimate(0), estimate(1), 0, 0, 0, 0}; }
-
   sign compare(const meeting& m, const meeting& n) const {
     if (m.latest < n.earliest) return sign::negative;
     if (m.earliest > n.latest) return sign::positive;
@@ -106,15 +95,24 @@ class filtered {
   sign compare(const bisector_type& e, const bisector_type& f) const requires(dimension == 3) { return exact_.compare(e, f); }
   sign compare_volume(std::span<const triple> s, std::span<const triple> t) const requires(dimension == 3) { return exact_.compare_volume(s, t); }
 
-  /// The order of two meetings with the same time, S not zero, by their times' coefficients of e; zero where that is not certain.
-  sign compare_drift(const meeting& m, const meeting& n) const {
-    if (m.most_drift < n.least_drift) return sign::negative;
-    return m.least_drift > n.most_drift ? sign::positive : sign::zero;
-  }
+  // ---- graded_kernel
 
-  sign orientation_at(int grade, const corner& t) const {
-    const auto s = fast_.orientation_at(grade, t);
-    return s ? *s : exact_.orientation_at(grade, t);
+  meeting meeting_of(const support& q) const {
+    const support ascending = sorted(q);
+    const lambdas_of lambda = fast_.lambda(0, ascending);
+    meeting m = estimated(ascending, lambda);
+    refine(m);
+    std::tie(m.earliest, m.latest) = ratio(m.offset, m.speed);
+    estimate drift(0);
+    for (int r = 0; r <= dimension; ++r) drift = drift + lambda[r] * fast_.arithmetic().delta(ascending[r]);
+    std::tie(m.least_drift, m.most_drift) = ratio(drift, m.speed);
+    const auto s = m.speed.certain_sign();
+    m.closing = s ? *s : exact_.closing_at(0, m.planes);
+    return m;
+  }
+  sign orientation_at(int grade, const corner& c) const {
+    const auto s = fast_.orientation_at(grade, c);
+    return s ? *s : exact_.orientation_at(grade, c);
   }
   sign offset_at(int grade, const support& q) const {
     const auto s = fast_.offset_at(grade, q);
@@ -129,8 +127,24 @@ class filtered {
     return s ? *s : exact_.cross_at(grade, q, r);
   }
 
+  // ---- beyond the concept, for adaptors and algorithms that can use it
+
+  /// Tells the processor that this plane will be asked about soon.
+  void prefetch(plane_id a) const { osteon::prefetch(fast_.arithmetic().plane(a)); }
+  /// Returns what K says (see arithmetic_kernel).
+  bool has_unit_speeds() const requires requires(const K& k) { k.has_unit_speeds(); }
+  { return exact_.has_unit_speeds(); }
+  /// Returns the order of two meetings with the same time, S not zero, by the coefficients of e in
+  /// their times; zero where that is not certain.
+  sign compare_drift(const meeting& m, const meeting& n) const {
+    if (m.most_drift < n.least_drift) return sign::negative;
+    return m.least_drift > n.most_drift ? sign::positive : sign::zero;
+  }
+
  private:
   static constexpr support start_planes = start_planes_in<dimension>;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  using lambdas_of = std::array<estimate, dimension + 1>;
 
   // The corner of all planes but the last against the last.
   sign side_of(const support& q, const meeting& m) const {
@@ -150,9 +164,8 @@ class filtered {
     return cross(other, m) * m.closing * turn;
   }
 
-  using lambdas = std::array<estimate, dimension + 1>;
-
-  // The coefficient of e^grade in D(q) S(r) - D(r) S(q), as in forms.hpp, but of rounded D and S.
+  // The coefficient of e^grade in D(q) S(r) - D(r) S(q), as in formulas.hpp, but of rounded D and
+  // S.
   estimate coefficient(int grade, const support& q, const support& r) const {
     struct form {
       std::array<estimate, 2 * dimension + 2> offset;  // by grade
@@ -162,7 +175,7 @@ class filtered {
       const auto& a = fast_.arithmetic();
       form f;
       for (int m = 0; m <= std::min(grade / 2, dimension); ++m) {
-        const lambdas l = fast_.lambda(m, planes);
+        const lambdas_of l = fast_.lambda(m, planes);
         f.offset[2 * m] = f.offset[2 * m + 1] = f.speed[m] = estimate(0);
         for (int i = 0; i <= dimension; ++i) {
           f.offset[2 * m] = f.offset[2 * m] + l[i] * a.d(planes[i]);
@@ -180,9 +193,8 @@ class filtered {
     return sum;
   }
 
-  // D and S; the sign of S and the time's interval still open.
-  meeting estimated(const support& q, const lambdas& lambda) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+  // D and S; the sign of S and the intervals are still open.
+  meeting estimated(const support& q, const lambdas_of& lambda) const {
     const auto& a = fast_.arithmetic();
     meeting m{q, sign::zero, estimate(0), estimate(0), -infinity, infinity, -infinity, infinity};
     for (int r = 0; r <= dimension; ++r) {
@@ -192,19 +204,17 @@ class filtered {
     return m;
   }
 
-  // An interval that contains d / s.
+  // An interval that contains the quotient of two true numbers (see estimate.hpp).
   static std::pair<double, double> ratio(const estimate& d, const estimate& s) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     const double below = std::abs(s.value) - s.error();
     if (!(below > 0 && s.scale > 1e-250 && (d.scale > 1e-250 || d.scale == 0) && s.scale < 1e290 && d.scale < 1e290)) return {-infinity, infinity};
     const double t = d.value / s.value;
-    // |D'/S' - D/S| <= (|D' - D| + |t| |S' - S|) / |S|; the factor covers the roundings of this line.
-    const double radius = (d.error() + std::abs(t) * s.error()) / below * (1 + 0x1p-48) + std::abs(t) * 0x1p-50;
+    const double radius = quotient_error(t, d.error(), s.error(), below) + std::abs(t) * 0x1p-50;
     return {t - radius, t + radius};
   }
 
-  // Almost coplanar planes leave few bits of D and S; then they are worth being computed exactly, once, and rounded:
-  // almost all comparisons that follow are decided quickly.
+  // Almost coplanar planes leave few bits of D and S. Then D and S are worth being computed
+  // exactly, once, and rounded: almost all comparisons that follow are decided quickly.
   void refine(meeting& m) const {
     if constexpr (requires { exact_.refined(m.planes); }) {
       if ((m.speed.precise() && m.offset.precise()) || !fast_.arithmetic().unscaled()) return;

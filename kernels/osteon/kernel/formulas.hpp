@@ -2,42 +2,25 @@
 #pragma once
 
 /// \file
-/// The predicates' formulas, written once for every number type (design 01, and 04 for the grades). A policy
-/// `Arithmetic` supplies numbers and says what the sign of a number and of a linear form in the speeds is.
+/// The formulas of the predicates, written once for every number type and dimension
+/// (docs/theory/numbers-and-predicates.md; docs/theory/degeneracy.md for the grades).
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdint>
 #include <span>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
-#include "osteon/core/kernel.hpp"
-#include "osteon/core/random.hpp"
+#include "osteon/core/planes.hpp"
 #include "osteon/core/sign.hpp"
+#include "osteon/kernel/determinant.hpp"
 
 namespace osteon {
 
-/// The symbolic perturbation of a plane: n + e^2 u, d + e delta. Fixed for a plane's number, so every run and every
-/// kernel perturbs alike. Twenty bits keep small exact inputs exact in double precision.
-struct perturbation {
-  std::array<int, 3> u;
-  int delta;
-
-  static perturbation of(plane_id id) {
-    random_stream random(static_cast<std::uint64_t>(id) + 1);
-    const auto draw = [&random] { return static_cast<int>(random() & 0xFFFFFU) - 0x80000; };
-    perturbation p{};
-    p.delta = draw();
-    for (int& x : p.u) x = draw();
-    return p;
-  }
-};
-
-/// Sorts planes; the sign of the permutation that does it.
+/// Sorts planes in place; returns the sign of the permutation that does it.
+/// *Requires* different planes. *Complexity* quadratic, for the few planes of a meeting.
 inline sign sort_with_parity(std::span<plane_id> planes) {
   sign parity = sign::positive;
   for (std::size_t i = 1; i < planes.size(); ++i)
@@ -48,7 +31,13 @@ inline sign sort_with_parity(std::span<plane_id> planes) {
   return parity;
 }
 
-/// A linear form sum c_i sigma_i over at most eight planes.
+/// Returns the sign of the permutation that sorts different planes.
+template <std::size_t N>
+sign parity(std::array<plane_id, N> planes) {
+  return sort_with_parity(planes);
+}
+
+/// A linear form  sum c_i sigma_i  in the speeds of at most eight planes, those of two meetings.
 template <class Number>
 struct linear_form {
   struct term {
@@ -58,7 +47,7 @@ struct linear_form {
   std::array<term, 8> terms;
   int size = 0;
 
-  /// Adds c * sigma_plane; terms of one plane are merged, so that cancellation is seen.
+  /// Adds c * sigma_plane. Terms of one plane are merged, so that cancellation is seen.
   void add(plane_id plane, const Number& c) {
     for (int i = 0; i < size; ++i)
       if (terms[i].plane == plane) {
@@ -69,8 +58,12 @@ struct linear_form {
   }
 };
 
-/// `Arithmetic` has: dimension (2 or 3), number (a ring), n(i, axis), d(i), u(i, axis), delta(i) giving numbers, and
-/// decide(number), decide(linear_form) giving sign or optional<sign>.
+/// The formulas over the numbers of some planes. `Arithmetic` has:
+///  - dimension, 2 or 3, and number, the type of a ring, made from int;
+///  - n(i, axis), d(i), u(i, axis), delta(i): the numbers of plane i and of its perturbation;
+///  - decide(number) and decide(linear_form<number>): their sign, or an optional sign. The
+///    functions below that end in _at return what decide returns;
+///  - optionally a type remembers_minors: then minors are kept, which pays where numbers are long.
 template <class Arithmetic>
 class formulas {
  public:
@@ -81,9 +74,10 @@ class formulas {
   using form = linear_form<number>;
 
   explicit formulas(Arithmetic a) : a_(std::move(a)) {}
+  /// The numbers that the formulas are about.
   const Arithmetic& arithmetic() const { return a_; }
 
-  /// Coefficient of e^(2m) in the determinant of normals. Remembered where numbers are long (at most 2^18 of them).
+  /// Returns the coefficient of e^(2m) in the determinant of a corner's normals.
   number minor(int m, const corner& c) const {
     if constexpr (!remembers) {
       return compute_minor(m, c);
@@ -92,7 +86,7 @@ class formulas {
       std::copy(c.begin(), c.end(), key.begin());
       const sign order = sort_with_parity(std::span(key).template first<dimension>());
       key.back() = m;
-      if (minors_.size() > (1U << 18U)) minors_.clear();
+      if (minors_.size() > most_remembered) minors_.clear();
       const auto [at, fresh] = minors_.try_emplace(key);
       if (fresh) {
         corner sorted{};
@@ -103,15 +97,12 @@ class formulas {
     }
   }
 
-  /// Coefficients of e^(2m) in the lambdas: the cofactors of the last column of the matrix with rows (n_r, *).
+  /// Returns the coefficients of e^(2m) in the lambdas of a meeting.
   std::array<number, dimension + 1> lambda(int m, const support& q) const {
-    if constexpr (dimension == 2)
-      return {minor(m, {q[1], q[2]}), -minor(m, {q[0], q[2]}), minor(m, {q[0], q[1]})};
-    else
-      return {-minor(m, {q[1], q[2], q[3]}), minor(m, {q[0], q[2], q[3]}), -minor(m, {q[0], q[1], q[3]}), minor(m, {q[0], q[1], q[2]})};
+    return lambdas(q, [&](auto... planes) { return minor(m, {planes...}); });
   }
 
-  /// Coefficient of e^grade in D.
+  /// Returns the coefficient of e^grade in D.
   number offset(int grade, const support& q) const {
     if (grade > 2 * dimension + 1) return number(0);
     const auto l = lambda(grade / 2, q);
@@ -120,7 +111,7 @@ class formulas {
     return sum;
   }
 
-  /// Coefficient of e^grade in S.
+  /// Returns the coefficient of e^grade in S.
   form speed(int grade, const support& q) const {
     form f;
     if (grade % 2 != 0 || grade > 2 * dimension) return f;
@@ -129,17 +120,21 @@ class formulas {
     return f;
   }
 
+  /// Decides the coefficient of e^grade in the determinant of a corner's normals.
   auto orientation_at(int grade, const corner& c) const {
     return a_.decide(grade % 2 != 0 || grade > 2 * dimension ? number(0) : minor(grade / 2, c));
   }
+  /// Decides the coefficient of e^grade in D.
   auto offset_at(int grade, const support& q) const { return a_.decide(offset(grade, q)); }
+  /// Decides the coefficient of e^grade in S.
   auto closing_at(int grade, const support& q) const { return a_.decide(speed(grade, q)); }
 
-  /// Sign of the coefficient of e^grade in D(q) S(r) - D(r) S(q): the order of two meeting times up to the signs of
-  /// S(q), S(r), and a moving vertex against a plane up to the signs of S(r) and lambda.
+  /// Decides the coefficient of e^grade in D(q) S(r) - D(r) S(q): the order of the times of two
+  /// meetings up to the signs of S(q) and S(r), and a moving vertex against a plane up to those of
+  /// S(r) and lambda.
   auto cross_at(int grade, const support& q, const support& r) const {
     form f;
-    for (int g = 0; g <= grade && g <= 2 * dimension; g += 2) {  // S has even grades up to 6 in space, D all up to 7
+    for (int g = 0; g <= grade && g <= 2 * dimension; g += 2) {  // S has even grades only
       if (grade - g > 2 * dimension + 1) continue;
       accumulate(f, offset(grade - g, q), speed(g, r));
       accumulate(f, -offset(grade - g, r), speed(g, q));
@@ -149,26 +144,18 @@ class formulas {
 
  private:
   static constexpr bool remembers = requires { typename Arithmetic::remembers_minors; };
+  static constexpr std::size_t most_remembered = 1U << 18U;
 
+  // A determinant is linear in each row: the sum over all choices of m rows that are tilted.
   number compute_minor(int m, const corner& c) const {
-    if (m == 0) return det([&](int row, int axis) { return a_.n(c[row], axis); });
+    if (m == 0) return determinant<dimension>([&](int row, int axis) -> decltype(auto) { return a_.n(c[row], axis); });
     auto sum = number(0);
     for (unsigned tilted = 1; tilted < 1U << static_cast<unsigned>(dimension); ++tilted)
       if (std::popcount(tilted) == m)
-        sum =
-            sum + det([&](int row, int axis) { return (tilted >> static_cast<unsigned>(row) & 1U) != 0 ? a_.u(c[row], axis) : a_.n(c[row], axis); });
+        sum = sum + determinant<dimension>([&](int row, int axis) {
+                return (tilted >> static_cast<unsigned>(row) & 1U) != 0 ? a_.u(c[row], axis) : a_.n(c[row], axis);
+              });
     return sum;
-  }
-
-  // The determinant of the entries at(row, axis).
-  template <class At>
-  static number det(At at) {
-    if constexpr (dimension == 2) {
-      return at(0, 0) * at(1, 1) - at(0, 1) * at(1, 0);
-    } else {
-      const auto m = [&](int a, int b) { return at(1, a) * at(2, b) - at(1, b) * at(2, a); };
-      return at(0, 0) * m(1, 2) + at(0, 1) * m(2, 0) + at(0, 2) * m(0, 1);
-    }
   }
 
   static void accumulate(form& f, const number& factor, const form& s) {

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// The exact integer of the kernels: GMP through Boost.Multiprecision, without expression templates.
+/// The exact numbers of the kernels: GMP through Boost.Multiprecision, without expression
+/// templates.
 
 #include <array>
 #include <boost/multiprecision/gmp.hpp>
@@ -12,13 +13,15 @@
 
 namespace osteon {
 
+/// An integer of any size.
 using integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+/// A quotient of such integers, in lowest terms.
 using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
-/// Exact sign, constant time.
+/// Returns the sign of an integer, in constant time.
 inline sign sign_of(const integer& x) { return sign_of(x.sign()); }
 
-/// n_a . n_b of two normals.
+/// Returns the inner product of two vectors.
 template <std::size_t N>
 integer inner_product(const std::array<integer, N>& a, const std::array<integer, N>& b) {
   integer sum = a[0] * b[0];
@@ -26,10 +29,15 @@ integer inner_product(const std::array<integer, N>& a, const std::array<integer,
   return sum;
 }
 
-/// floor(sqrt(x)), x >= 0.
+/// Returns the length of |x| in bits: the least n with |x| < 2^n.
+inline int bit_length(const integer& x) { return x.is_zero() ? 0 : static_cast<int>(mpz_sizeinbase(x.backend().data(), 2)); }
+
+/// Returns floor(sqrt(x)).
+/// *Requires* x >= 0.
 inline integer isqrt(const integer& x) { return boost::multiprecision::sqrt(x); }
 
-/// Whether x >= 0 is the square of an integer.
+/// Returns whether x is the square of an integer.
+/// *Requires* x >= 0.
 inline bool is_square(const integer& x) { return mpz_perfect_square_p(x.backend().data()) != 0; }
 
 }  // namespace osteon

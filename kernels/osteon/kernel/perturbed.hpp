@@ -2,9 +2,8 @@
 #pragma once
 
 /// \file
-/// perturbed<K>: symbolic perturbation in two levels, first of the offsets, then of the normals (design 04). No
-/// predicate about different planes is ever zero and all events have one strict order; where K is not zero nothing changes and little is added to the
-/// cost.
+/// perturbed<K>: symbolic perturbation in two levels, first of the offsets, then of the normals
+/// (docs/theory/degeneracy.md).
 
 #include <algorithm>
 #include <array>
@@ -17,9 +16,13 @@
 #include "osteon/core/error.hpp"
 #include "osteon/core/kernel.hpp"
 #include "osteon/kernel/arithmetic_kernel.hpp"
+#include "osteon/kernel/graded_kernel.hpp"
 
 namespace osteon {
 
+/// The graded kernel K without ties: no answer about different planes is zero, and all meetings
+/// have one strict order. Where K's answer is not zero it is the same, and little is added to its
+/// cost.
 template <graded_kernel K>
 class perturbed {
  public:
@@ -36,15 +39,14 @@ class perturbed {
   };
   using bisector_type = typename K::bisector_type;
 
-  /// `mirrored` tilts all planes the other way.
+  /// The kernel whose ties are broken; `mirrored` tilts all planes the other way.
   explicit perturbed(K base, bool mirrored = false) : k_(std::move(base)), mirrored_(mirrored) {}
+  /// Returns the kernel without the perturbation.
   const K& base() const { return k_; }
 
+  // ---- the concept (see core/kernel.hpp)
+
   plane_id size() const { return k_.size(); }
-  void prefetch(plane_id a) const requires requires(const K& k) { k.prefetch(a); }
-  { k_.prefetch(a); }
-  bool has_unit_speeds() const requires requires(const K& k) { k.has_unit_speeds(); }
-  { return k_.has_unit_speeds(); }
   template <std::same_as<plane_id>... Planes>
   requires(sizeof...(Planes) == dimension) sign orientation(Planes... of)
   const { return orientation_of({of...}); }
@@ -87,20 +89,27 @@ class perturbed {
     return side_of({a, b, c}, m, [&] { return k_.side(c, a, b, m.base); });
   }
 
-  /// Whether a meeting has a moment in the limit: not where S is zero there.
+  bisector_type bisector(plane_id a, plane_id b) const { return k_.bisector(a, b); }
+  sign compare(const bisector_type& e, const bisector_type& f) const requires(dimension == 3) { return k_.compare(e, f); }
+  sign compare_volume(std::span<const triple> s, std::span<const triple> t) const requires(dimension == 3) { return k_.compare_volume(s, t); }
+
+  // ---- limit_kernel: what becomes of the answers when the perturbation goes to zero
+
   bool has_moment(const meeting& m) const { return m.regular; }
-  /// Whether a meeting is infinitely late, or early, in the limit: S is zero there and D is not.
   bool is_never(const meeting& m) const { return !m.regular && k_.offset_at(0, planes(m)) != sign::zero; }
-  /// Whether two meetings that have one have the same.
   bool same_moment(const meeting& m, const meeting& n) const { return k_.compare(m.base, n.base) == sign::zero; }
-  /// Whether the corner (a,b) lies on line c in the limit.
   bool touches(plane_id c, plane_id a, plane_id b, const meeting& m) const requires(dimension == 2) {
     return k_.transversal(a, b) && k_.side(c, a, b, m.base) == sign::zero;
   }
 
-  bisector_type bisector(plane_id a, plane_id b) const { return k_.bisector(a, b); }
-  sign compare(const bisector_type& e, const bisector_type& f) const requires(dimension == 3) { return k_.compare(e, f); }
-  sign compare_volume(std::span<const triple> s, std::span<const triple> t) const requires(dimension == 3) { return k_.compare_volume(s, t); }
+  // ---- beyond the concept, for algorithms that can use it
+
+  /// Tells the processor that this plane will be asked about soon.
+  void prefetch(plane_id a) const requires requires(const K& k) { k.prefetch(a); }
+  { k_.prefetch(a); }
+  /// Returns what K says (see arithmetic_kernel).
+  bool has_unit_speeds() const requires requires(const K& k) { k.has_unit_speeds(); }
+  { return k_.has_unit_speeds(); }
 
  private:
   static constexpr support start_planes = start_planes_in<dimension>;
@@ -124,19 +133,20 @@ class perturbed {
     corner c{};
     std::copy_n(q.begin(), dimension, c.begin());
     if (r == start_planes) return at_start(q) * orientation_of(c);
-    if (std::find(r.begin(), r.end(), q.back()) != r.end() && ascending(q) == r) return sign::zero;
+    if (std::find(r.begin(), r.end(), q.back()) != r.end() && sorted(q) == r) return sign::zero;
     if (m.regular)
       if (const sign s = unperturbed(); s != sign::zero) return s;
     const leading_sign turn = leading([&](int g) { return k_.orientation_at(g, c); }, 0);
-    const int first = m.regular && turn.grade == 0 ? 1 : 0;  // what is zero is the corner's place, not its orientation
+    // Where grade 0 is known to be zero, it is the corner's place and not its orientation.
+    const int first = m.regular && turn.grade == 0 ? 1 : 0;
     return leading([&](int g) { return k_.cross_at(g, q, r); }, first).value * m.closing * turn.value;
   }
 
   // A coefficient of e^grade contains grade / 2 tilts.
   sign at(int grade, sign coefficient) const { return mirrored_ && grade / 2 % 2 != 0 ? -coefficient : coefficient; }
 
-  // The first coefficient from grade `first` on that is not zero. All zero would mean that the fixed perturbation is
-  // itself in special position.
+  // The first coefficient from grade `first` on that is not zero. All zero would mean that the
+  // fixed perturbation is itself in special position.
   template <class Coefficient>
   leading_sign leading(Coefficient coefficient, int first) const {
     for (int g = first; g <= highest_grade_in<dimension>; ++g)
@@ -144,7 +154,8 @@ class perturbed {
     throw invariant_error("the symbolic perturbation is degenerate: all coefficients are zero");
   }
 
-  // D / S against a moment that is later than every multiple of e and earlier than every positive number.
+  // D / S against a moment that is later than every multiple of e and earlier than every positive
+  // number.
   sign after_start(const meeting& m) const {
     const support q = planes(m);
     if (m.regular) return k_.compare(m.base, k_.start());
@@ -153,8 +164,8 @@ class perturbed {
     return d.grade <= s.grade && d.value * s.value == sign::positive ? sign::positive : sign::negative;
   }
 
-  // Sign of L = D - t S at that moment: the coefficients in the order of size S0, D1, S1, D2, ...; D0 is zero, since
-  // the planes meet in a point at time zero.
+  // Sign of L = D - t S at that moment: the coefficients in the order of size S0, D1, S1, D2, ...;
+  // D0 is zero, since the planes meet in a point at time zero.
   sign at_start(const support& q) const {
     for (int g = 0; g <= 2 * dimension + 1; ++g) {
       if (const sign d = g == 0 ? sign::zero : at(g, k_.offset_at(g, q)); d != sign::zero) return d;

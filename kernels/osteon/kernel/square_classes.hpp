@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// Exact signs of linear forms  sum c_i w_i sqrt(s_i)  with integers c_i, w_i, s_i > 0 (design 01).
+/// Exact signs of linear forms  sum c_i w_i sqrt(s_i)  with integers c_i, w_i and s_i > 0
+/// (docs/theory/numbers-and-predicates.md).
 
 #include <array>
 #include <cstdint>
@@ -14,13 +15,15 @@
 
 namespace osteon {
 
-/// Roots of integers, grouped by square class: sqrt(a)/sqrt(b) is rational iff a*b is a square, and roots of
-/// different classes are linearly independent over the rationals. So a form is zero iff every class's rational
-/// coefficients add up to zero, and a form that is not zero has its sign found by finite refinement.
+/// Roots of integers, grouped by square class: sqrt(a)/sqrt(b) is rational iff a*b is a square, and
+/// roots of different classes are linearly independent over the rationals. So a form is zero iff
+/// every class's rational coefficients add up to zero, and a form that is not zero has its sign
+/// found by finite refinement.
 class square_classes {
  public:
-  /// Adds weight * sqrt(s), s > 0, and returns its number. Cost: the residue symbols of s, then a perfect-square test
-  /// for each known class with the same symbols (hardly ever more than one).
+  /// Adds weight * sqrt(s) and returns its number.
+  /// *Requires* s > 0. *Complexity* the residue symbols of s, then a test for a perfect square for
+  /// each known class with the same symbols, hardly ever more than one.
   int add(const integer& s, const integer& weight = 1) {
     root r{s, weight, find_class(s), 0, {}};
     const integer& base = representatives_[r.square_class];
@@ -30,19 +33,23 @@ class square_classes {
     return static_cast<int>(roots_.size()) - 1;
   }
 
+  /// Returns s of a root.
   const integer& radicand(int i) const { return roots_[i].s; }
+  /// Returns the weight of a root.
   const integer& weight(int i) const { return roots_[i].weight; }
 
-  /// floor(weight * sqrt(s) * 2^precision).
+  /// Returns floor(weight * sqrt(s) * 2^precision).
   integer scaled(int i, unsigned precision) const { return refine(roots_[i], precision); }
 
-  /// floor(weight * sqrt(s) * 2^128), at hand.
+  /// Returns floor(weight * sqrt(s) * 2^128), which is at hand.
   const integer& refined(int i) const { return roots_[i].refined[1]; }
 
-  /// Whether root i is rational, and so the integer weight * isqrt(s).
+  /// Returns whether sqrt(s) is an integer.
   bool is_integer(int i) const { return is_square(roots_[i].s); }
 
-  /// Exact sign of sum c_i root_i over `size` terms, given as (root, coefficient).
+  /// Returns the exact sign of sum c_i root_i over `size` terms, each with a `coefficient` and, as
+  /// `plane`, the number of a root. *Complexity* roots rounded to 64 bits after the point decide
+  /// nearly always; a form that is zero needs its classes, any other one some more bits.
   template <class Terms>
   sign sign_of_form(const Terms& terms, int size) const {
     if (size == 0) return sign::zero;
@@ -74,10 +81,12 @@ class square_classes {
 
   static integer refine(const root& r, unsigned precision) { return isqrt((r.s * r.weight * r.weight) << (2 * precision)); }
 
-  // The class of s, made new if there is none. Numbers of one class have equal Kronecker symbols for every modulus,
-  // unless a symbol is zero (s shares a factor with the modulus); such an s is compared with all classes.
+  // The class of s, made new if there is none. Numbers of one class have equal Kronecker symbols
+  // for every modulus, unless a symbol is zero (s shares a factor with the modulus); such an s is
+  // compared with all classes.
   int find_class(const integer& s) {
-    static constexpr std::array<std::uint32_t, 10> below_2_64 = {59, 83, 95, 179, 189, 257, 279, 323, 353, 363};  // primes
+    // Primes 2^64 - k and 2^32 - k.
+    static constexpr std::array<std::uint32_t, 10> below_2_64 = {59, 83, 95, 179, 189, 257, 279, 323, 353, 363};
     static constexpr std::array<std::uint32_t, 10> below_2_32 = {5, 17, 65, 99, 107, 135, 153, 185, 209, 267};
     std::uint64_t symbols = 0;
     bool wild = false;
@@ -122,7 +131,7 @@ class square_classes {
 
   std::vector<root> roots_;
   std::vector<integer> representatives_;
-  std::unordered_map<std::uint64_t, std::vector<int>> classes_;  // by symbols, without the wild ones
+  std::unordered_map<std::uint64_t, std::vector<int>> classes_;  // by symbols, but for the wild
   std::vector<int> wild_;
   std::vector<int> all_;
 };

@@ -7,18 +7,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "osteon/input/moving_plane.hpp"
-#include "osteon/kernel/formulas.hpp"
 #include "osteon/kernel/integer.hpp"
+#include "osteon/kernel/integer_planes.hpp"
+#include "osteon/kernel/perturbation.hpp"
 
 namespace osteon {
 
-/// One plane, rounded: relative error of every number at most 2^-52 (GMP truncates). `exact` where nothing was lost and the
-/// speed is an integer: then all are integers, and so are the perturbations. In the plane it fits into one line of a processor's memory.
+/// One plane, rounded: relative error of every number at most 2^-52 (GMP truncates). Numbers are
+/// scaled by powers of two where they are too long for doubles. In the plane it fits into one line
+/// of a processor's memory.
 template <int Dimension>
 struct alignas(Dimension == 2 ? 64 : alignof(double)) rounded_plane {
   std::array<double, Dimension> n;
@@ -27,33 +30,34 @@ struct alignas(Dimension == 2 ? 64 : alignof(double)) rounded_plane {
   double speed;
   double d;
   std::int32_t delta;         ///< of the perturbation, in integers
-  std::uint8_t shift;         ///< n is in units of 2^shift integers; at most 120, which may stand for more
-  std::uint8_t offset_shift;  ///< d in units of 2^offset_shift of these; likewise
-  bool exact;
-  bool fit;  ///< n and d are zero or so great that no product in the formulas underflows
+  std::uint8_t shift;         ///< n is in units of 2^shift; 120 stands for more, too
+  std::uint8_t offset_shift;  ///< d is in units of 2^(shift + offset_shift); likewise
+  bool exact;                 ///< all numbers are integers and nothing was lost
+  bool fit;                   ///< n and d are zero or so great that no product underflows
 
+  /// Returns whether no number was scaled.
   bool unscaled() const { return shift == 0 && offset_shift == 0; }
-  /// Whether so are the perturbations.
+  /// Returns whether the perturbation, in the same units, is so great that no product underflows.
   bool tilt_fit() const { return shift + offset_shift < 120; }
 };
 
-/// x * 2^-shift rounded.
+/// Returns x * 2^-shift, rounded towards zero.
 inline double to_double(const integer& x, int shift) {
   long exponent = 0;
   const double mantissa = mpz_get_d_2exp(&exponent, x.backend().data());
   return std::ldexp(mantissa, static_cast<int>(exponent) - shift);
 }
 
-inline int bit_length(const integer& x) { return x == 0 ? 0 : static_cast<int>(msb(abs(x))) + 1; }
-
-/// Whether x * 2^-shift is zero or at least 2^-120, so that a product of eight such numbers is a normal number.
+/// Returns whether x * 2^-shift is zero or at least 2^-120, so that a product of eight such numbers
+/// is a normal number.
 inline bool is_fit(const integer& x, int shift) { return x == 0 || bit_length(x) - shift > -120; }
 
-/// Rounds planes. Products of seven normals and an offset must neither overflow nor lose bits to underflow, so where
-/// numbers are long each plane is scaled by a power of two (K4: that changes no sign) and so are all offsets together
-/// (that changes the unit of length and time).
-/// `anchors`: a point for each plane, with integers for coordinates, or none. Where planes are near their anchors and these near each other, far
-/// from the origin, D loses fewer bits; nothing else depends on them.
+/// Rounds planes. Products of seven normals and an offset must neither overflow nor lose bits to
+/// underflow, so where numbers are long each plane is scaled by a power of two, which changes no
+/// sign (K4), and so are all offsets together, which changes the unit of length and time. `anchors`
+/// are a point for each plane with integers for coordinates, or none at all. Where planes are near
+/// their anchors and these near each other, far from the origin, D loses fewer bits; nothing else
+/// depends on anchors.
 template <int Dimension>
 std::vector<rounded_plane<Dimension>> round_planes(std::span<const moving_plane<integer, Dimension>> planes,
                                                    std::span<const std::array<double, Dimension>> anchors = {}) {
@@ -71,11 +75,12 @@ std::vector<rounded_plane<Dimension>> round_planes(std::span<const moving_plane<
   result.reserve(planes.size());
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const auto& p = planes[i];
-    const integer squared = inner_product(p.n, p.n) * p.weight * p.weight;
+    const int shift = shifts[i];
+    const integer squared = squared_speed(p);
     rounded_plane<Dimension> r{};
     r.delta = perturbation::of(static_cast<plane_id>(i)).delta;
-    for (int axis = 0; axis < Dimension; ++axis) r.n[axis] = to_double(p.n[axis], shifts[i]);
-    r.d = to_double(p.d, shifts[i] + offset_shift);
+    for (int axis = 0; axis < Dimension; ++axis) r.n[axis] = to_double(p.n[axis], shift);
+    r.d = to_double(p.d, shift + offset_shift);
     r.rest = r.d;
     if (anchored) {
       r.anchor = anchors[i];
@@ -84,10 +89,10 @@ std::vector<rounded_plane<Dimension>> round_planes(std::span<const moving_plane<
       r.rest = to_double(rest, 0);
     }
     const auto small = [](const integer& x) { return bit_length(x) <= 53; };
-    r.exact = shifts[i] == 0 && offset_shift == 0 && std::all_of(p.n.begin(), p.n.end(), small) && small(p.d) && is_square(squared) &&
-              small(isqrt(squared));
-    r.speed = r.exact ? to_double(isqrt(squared), 0) : std::sqrt(to_double(squared, 2 * shifts[i]));  // the root halves the relative error
-    const int shift = shifts[i];
+    r.exact =
+        shift == 0 && offset_shift == 0 && std::all_of(p.n.begin(), p.n.end(), small) && small(p.d) && is_square(squared) && small(isqrt(squared));
+    // The root halves the relative error.
+    r.speed = r.exact ? to_double(isqrt(squared), 0) : std::sqrt(to_double(squared, 2 * shift));
     r.shift = static_cast<std::uint8_t>(std::min(shift, 120));
     r.offset_shift = static_cast<std::uint8_t>(std::min(offset_shift, 120));
     r.fit = std::all_of(p.n.begin(), p.n.end(), [shift](const integer& x) { return is_fit(x, shift); }) && is_fit(p.d, shift + offset_shift);

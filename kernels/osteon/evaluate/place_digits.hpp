@@ -65,14 +65,14 @@ struct root_quotient {
 /// digits. Coordinates and time are in the units of the planes' integers; `digits_of` takes them to
 /// those of the input.
 template <int Dimension>
-class exact_place {
+class place_digits {
  public:
   using quotient = root_quotient<Dimension>;
   using form = typename quotient::form;
   using meeting = meeting_planes<Dimension>;
 
   /// *Requires* planes that stay where they are while this is used.
-  exact_place(std::span<const moving_plane<integer, Dimension>> planes, const meeting& q) : planes_(planes), planes_of_(q) {
+  place_digits(std::span<const moving_plane<integer, Dimension>> planes, const meeting& q) : planes_(planes), planes_of_(q) {
     for (const plane_id p : q) roots_.add(inner_product(at(p).n, at(p).n), at(p).weight);
     one_ = roots_.add(1);
     for (int r = 0; r <= Dimension; ++r) {
