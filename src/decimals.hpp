@@ -15,7 +15,7 @@ namespace osteon {
 
 /// Returns the exact value. Throws input_error(bad_number): `what` says what the number is for.
 inline exact_number<integer> exact_value(const decimal& x, const std::string& what) {
-  if (x.text().empty()) {
+  if (!x.is_text()) {
     if (auto value = from_double<integer>(x.value())) return *value;
     throw input_error(input_fault::bad_number, 0, what + " is not finite", "give a finite number");
   }

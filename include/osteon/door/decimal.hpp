@@ -20,15 +20,17 @@ class decimal {
   decimal(Number x) : value_(static_cast<double>(x)) {}  // NOLINT: a number is one
   /// Takes a whole number exactly.
   template <std::integral Number>
-  decimal(Number x) : text_(std::to_string(x)) {}  // NOLINT
+  decimal(Number x) : text_(std::to_string(x)), is_text_(true) {}  // NOLINT
   /// Takes decimal text.
-  decimal(std::string text) : text_(std::move(text)) {}  // NOLINT
+  decimal(std::string text) : text_(std::move(text)), is_text_(true) {}  // NOLINT
   /// Takes decimal text.
-  decimal(const char* text) : text_(text) {}  // NOLINT
+  decimal(const char* text) : text_(text), is_text_(true) {}  // NOLINT
 
-  /// Returns the text, or nothing but "" where the number is a double.
+  /// Returns whether this is a text, and no double.
+  bool is_text() const { return is_text_; }
+  /// Returns the text. *Requires* is_text().
   const std::string& text() const { return text_; }
-  /// Returns the double; meaningless where there is a text.
+  /// Returns the double. *Requires* !is_text().
   double value() const { return value_; }
 
   /// Returns whether the first number is less, exactly. *Throws* input_error(bad_number or
@@ -40,6 +42,7 @@ class decimal {
 
   double value_ = 0;
   std::string text_;
+  bool is_text_ = false;
 };
 
 }  // namespace osteon
