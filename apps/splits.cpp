@@ -137,7 +137,7 @@ struct splits_command {
     if (spherical)
       draw_sphere(splits);
     else if (sample > 0)
-      for (const auto& drawn : splits.sample(sample, seed)) print(drawn.tree, drawn.valid ? "" : " !");
+      splits.sample(sample, seed, [](const inspect::split_tree& tree, bool valid) { print(tree, valid ? "" : " !"); });
     else
       list(splits);
   }

@@ -1,5 +1,5 @@
-# Installs the library, then configures, builds and runs a project that finds it. Variables: BUILD (the build folder),
-# SOURCE (this folder), WORK (an empty folder to use), COMPILER.
+# Installs the library, then configures, builds and runs a project that finds it, once for each component. Variables: BUILD (the build folder), SOURCE
+# (this folder), WORK (an empty folder to use), COMPILER.
 file(REMOVE_RECURSE "${WORK}")
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -8,6 +8,12 @@ function(step)
   endif()
 endfunction()
 step(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-step(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${COMPILER})
-step(${CMAKE_COMMAND} --build ${WORK}/build)
-step(${WORK}/build/consumer)
+# The algorithms need nothing but the standard library, and Boost is behind the door.
+set(without_algorithms -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON -DCMAKE_DISABLE_FIND_PACKAGE_GMP=ON)
+set(without_door -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON)
+foreach(component algorithms kernels door)
+  step(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/${component} -DCOMPONENT=${component} -DCMAKE_PREFIX_PATH=${WORK}/prefix
+       -DCMAKE_CXX_COMPILER=${COMPILER} ${without_${component}})
+  step(${CMAKE_COMMAND} --build ${WORK}/${component})
+  step(${WORK}/${component}/consumer)
+endforeach()

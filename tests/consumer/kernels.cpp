@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// What a user of the installed library writes: the skeleton of a cube from doubles in memory.
+// What a user of the kernels writes: the skeleton of a cube from doubles in memory.
 
 #include <cstdio>
 
