@@ -16,9 +16,9 @@
 #include <span>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "osteon/core/kernel.hpp"
-#include "osteon/kernel/arithmetic_kernel.hpp"
 
 namespace osteon {
 
@@ -40,17 +40,17 @@ class any_kernel {
   static constexpr int dimension = Dimension;
   using corner = corner_planes<Dimension>;
   using support = meeting_planes<Dimension>;
-  using bisector_type = swept_plane;
+  /// The edge between two facets.
+  struct bisector_type {
+    plane_id a, b;
+  };
   struct meeting {
     alignas(double) std::array<std::byte, 160> state;
   };
 
-  /// Stands for a kernel, which must outlive it. *Requires* one whose meetings can be copied as
-  /// bytes.
+  /// Takes a kernel, or a part of what `k` owns. *Requires* one whose meetings can be copied as bytes.
   template <kernel<Dimension> K>
-  requires(!std::is_same_v<K, any_kernel>) explicit any_kernel(const K& k) : behind_(std::make_unique<model<K>>(k)) {}
-  template <kernel<Dimension> K>
-  requires(!std::is_same_v<K, any_kernel>) explicit any_kernel(const K&& k) = delete;
+  explicit any_kernel(std::shared_ptr<const K> k) : behind_(std::make_shared<const model<K>>(std::move(k))) {}
 
   /// Counts the questions from now on. `counts` must outlive the kernel.
   void count(predicate_counts& counts) { counts_ = &counts; }
@@ -126,7 +126,7 @@ class any_kernel {
   template <class K>
   class model final : public questions {
    public:
-    explicit model(const K& k) : k_(k) {}
+    explicit model(std::shared_ptr<const K> k) : owner_(std::move(k)), k_(*owner_) {}
 
     plane_id size() const override { return k_.size(); }
     bool has_unit_speeds() const override {
@@ -192,6 +192,7 @@ class any_kernel {
     }
     static const inner& unpacked(const meeting& m) { return *std::launder(reinterpret_cast<const inner*>(m.state.data())); }
 
+    std::shared_ptr<const K> owner_;
     const K& k_;
   };
 
@@ -199,8 +200,23 @@ class any_kernel {
     if (counts_ != nullptr) ++(counts_->*counter);
   }
 
-  std::unique_ptr<const questions> behind_;
+  std::shared_ptr<const questions> behind_;
   predicate_counts* counts_ = nullptr;
 };
+
+/// A perturbed kernel and the exact one below the perturbation.
+template <int Dimension>
+struct kernel_pair {
+  any_kernel<Dimension> perturbed;
+  any_kernel<Dimension> base;
+};
+
+/// Returns both for a perturbed kernel.
+template <int Dimension, class Perturbed>
+kernel_pair<Dimension> erased(Perturbed k) {
+  const auto whole = std::make_shared<const Perturbed>(std::move(k));
+  using base = std::remove_cvref_t<decltype(whole->base())>;
+  return {any_kernel<Dimension>(whole), any_kernel<Dimension>(std::shared_ptr<const base>(whole, &whole->base()))};
+}
 
 }  // namespace osteon

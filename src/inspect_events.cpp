@@ -6,16 +6,12 @@
 #include "osteon/inspect.hpp"
 
 #include <array>
-#include <span>
 
 #include "osteon/core/error.hpp"
 #include "osteon/core/planes.hpp"
-#include "osteon/kernel/filtered.hpp"
-#include "osteon/kernel/perturbed.hpp"
-#include "osteon/kernel/rational.hpp"
-#include "osteon/kernel/sqrt.hpp"
 #include "osteon/space/catalogue.hpp"
 #include "polyhedron_skeleton_data.hpp"
+#include "space_kernels.hpp"
 
 namespace osteon::inspect {
 namespace {
@@ -43,9 +39,7 @@ corners corners_at(const skeleton& s, int node, bool before) {
 }
 
 // The small tetrahedron lies inside the planes whose lambda has the sign of S.
-template <class Exact>
-local::cell small_cell(const solid<integer>& s, Exact exact, const quadruple& q) {
-  const perturbed k(filtered(std::span<const moving_plane<integer>>(s.planes), std::move(exact)));
+local::cell small_cell(const any_kernel<3>& k, const quadruple& q) {
   const auto m = k.meet(q);
   if (!m) throw unsupported_error("four planes of a node do not meet");
   local::cell small = 0;
@@ -75,9 +69,7 @@ event_picture picture_of(const polyhedron_skeleton::node& event) {
   const polyhedron_skeleton::data& d = event.access();
   const int id = raw[0].id();
   const auto& n = d.result.raw.nodes[id];
-  const solid<integer>& s = d.body();
-  const local::cell small = d.options.kernel == number_kernel::rational ? small_cell(s, make_rational_kernel(s.planes), n.planes)
-                                                                        : small_cell(s, make_sqrt_kernel(s.planes), n.planes);
+  const local::cell small = small_cell(make_kernels(d.body(), d.options.kernel).perturbed, n.planes);
   const corners before = corners_at(d.result.raw, id, true);
   const corners after = corners_at(d.result.raw, id, false);
   // The corners before and after tell the event.

@@ -8,7 +8,6 @@
 #include <span>
 #include <utility>
 
-#include "any_run.hpp"
 #include "decimals.hpp"
 #include "osteon/core/error.hpp"
 #include "osteon/evaluate/anchors.hpp"
@@ -16,8 +15,10 @@
 #include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/rational.hpp"
 #include "osteon/kernel/sqrt.hpp"
+#include "plane_run.hpp"
 #include "polygon_data.hpp"
 #include "polyhedron_data.hpp"
+#include "space_run.hpp"
 
 namespace osteon::inspect {
 namespace {
@@ -53,8 +54,7 @@ class counted : public K {
 template <int Dimension, class Exact, class Filter, class Run>
 predicate_statistics counting(Exact exact, Filter filter, Run run) {
   predicate_statistics result;
-  const perturbed k(filter(counted(std::move(exact), result)));
-  any_kernel<Dimension> any(k);
+  any_kernel<Dimension> any = erased<Dimension>(perturbed(filter(counted(std::move(exact), result)))).perturbed;
   predicate_counts asked;
   any.count(asked);
   run(any);
@@ -74,7 +74,7 @@ predicate_statistics count_predicates(const polyhedron& p, const polyhedron_opti
   const solid<integer>& s = p.access()->checked;
   const skeleton_options o{options.prefer, options.saddle.value_or(default_saddle(options.prefer)), options.explore};
   const auto filter = [&s](auto exact) { return filtered(std::span<const moving_plane<integer>>(s.planes), std::move(exact)); };
-  const auto run = [&](const any_kernel<3>& k) { raw_any(k, s, o); };
+  const auto run = [&](const any_kernel<3>& k) { raw_skeleton(k, s, o); };
   switch (options.kernel) {
     case number_kernel::sqrt:
       return counting<3>(make_sqrt_kernel(s.planes), filter, run);
@@ -93,7 +93,7 @@ predicate_statistics count_predicates(const polygon& p, const polygon_options& o
   const std::span<const moving_line<integer>> lines(checked->lines);
   const auto anchors = anchors_of(*checked);
   const auto filter = [&](auto exact) { return filtered(lines, std::move(exact), anchors); };
-  const auto run = [&](const any_kernel<2>& k) { raw_any(k, q); };
+  const auto run = [&](const any_kernel<2>& k) { raw_skeleton(k, q); };
   switch (options.kernel) {
     case number_kernel::sqrt:
       return counting<2>(make_sqrt_kernel(lines), filter, run);

@@ -11,22 +11,18 @@
 #include <numeric>
 #include <random>
 #include <set>
-#include <span>
 #include <string>
 #include <utility>
 
-#include "any_kernel.hpp"
 #include "decimals.hpp"
 #include "osteon/core/error.hpp"
 #include "osteon/evaluate/spherical.hpp"
 #include "osteon/evaluate/volume.hpp"
-#include "osteon/kernel/filtered.hpp"
-#include "osteon/kernel/perturbed.hpp"
-#include "osteon/kernel/sqrt.hpp"
 #include "osteon/space/ambiguity.hpp"
 #include "osteon/space/split.hpp"
 #include "osteon/space/split_search.hpp"
 #include "polyhedron_data.hpp"
+#include "space_kernels.hpp"
 #include "space_run.hpp"
 
 namespace osteon::inspect {
@@ -34,9 +30,7 @@ namespace {
 
 using kernel = any_kernel<3>;
 
-auto default_kernel(const solid<integer>& s, bool mirrored = false) {
-  return perturbed(filtered(std::span<const moving_plane<integer>>(s.planes), make_sqrt_kernel(s.planes)), mirrored);
-}
+kernel default_kernel(const solid<integer>& s, bool mirrored = false) { return make_kernels(s, number_kernel::sqrt, mirrored).perturbed; }
 
 template <class Body>
 auto search_of(const kernel& k, const corner& c, Body body) {
@@ -52,8 +46,7 @@ auto search_of(const kernel& k, const corner& c, Body body) {
 void enumerate(const solid<integer>& s, const corner& c, const std::function<bool(const split_tree&, bool)>& visit) {
   std::map<split_tree, bool> trees;  // whether all vertices stay near
   for (const bool mirrored : {false, true}) {
-    const auto p = default_kernel(s, mirrored);
-    const kernel k(p);
+    const kernel k = default_kernel(s, mirrored);
     for (const bool bounded : {false, true})
       for (const auto& t : splitter(k, c, bounded).all()) trees[t.operations] |= bounded;
   }
@@ -106,8 +99,7 @@ void vertex_splits::for_each(const std::function<bool(const split_tree&, bool ne
   const solid<integer>& s = solid_.access()->checked;
   const corner c = corner_at(s.boundary, vertex_);
   if (is_enumerated()) return enumerate(s, c, visit);
-  const auto p = default_kernel(s);
-  const kernel k(p);
+  const kernel k = default_kernel(s);
   const splitter trees(k, c);
   const bool different = has_different_planes(c);
   search_of(k, c, [&](auto& search) {
@@ -124,14 +116,12 @@ void vertex_splits::for_each(const std::function<bool(const split_tree&, bool ne
 std::string vertex_splits::candidates() const {
   if (is_whole()) return "1";
   const solid<integer>& s = solid_.access()->checked;
-  const auto p = default_kernel(s);
-  return search_of(kernel(p), corner_at(s.boundary, vertex_), [](const auto& search) { return search.count().str(); });
+  return search_of(default_kernel(s), corner_at(s.boundary, vertex_), [](const auto& search) { return search.count().str(); });
 }
 
 split_count vertex_splits::count() const {
   const solid<integer>& s = solid_.access()->checked;
-  const auto p = default_kernel(s);
-  const osteon::split_count counted = count_splits(kernel(p), s.boundary, vertex_);
+  const osteon::split_count counted = count_splits(default_kernel(s), s.boundary, vertex_);
   return {product_of(counted.factors).str(), counted.exact};
 }
 
@@ -139,8 +129,7 @@ void vertex_splits::sample(int number, std::uint64_t seed, const std::function<v
   if (is_whole()) return;
   const solid<integer>& s = solid_.access()->checked;
   const corner c = corner_at(s.boundary, vertex_);
-  const auto p = default_kernel(s);
-  const kernel k(p);
+  const kernel k = default_kernel(s);
   const splitter trees(k, c);
   std::mt19937_64 random(seed);
   search_of(k, c, [&](const auto& search) {
@@ -156,8 +145,7 @@ void vertex_splits::sample(int number, std::uint64_t seed, const std::function<v
 std::optional<preferred_split> vertex_splits::preferred(split_preference preference) const {
   if (is_whole()) return std::nullopt;
   const solid<integer>& s = solid_.access()->checked;
-  const auto p = default_kernel(s);
-  auto t = osteon::preferred_split(kernel(p), corner_at(s.boundary, vertex_), preference);
+  auto t = osteon::preferred_split(default_kernel(s), corner_at(s.boundary, vertex_), preference);
   if (!t) return std::nullopt;
   return preferred_split{std::move(t->tree.operations), t->proven};
 }
@@ -165,8 +153,7 @@ std::optional<preferred_split> vertex_splits::preferred(split_preference prefere
 spherical_picture vertex_splits::spherical(split_preference preference, const std::optional<std::array<double, 3>>& eye) const {
   const solid<integer>& s = solid_.access()->checked;
   const corner c = corner_at(s.boundary, vertex_);
-  const auto p = default_kernel(s);
-  const auto t = is_whole() ? std::nullopt : osteon::preferred_split(kernel(p), c, preference);
+  const auto t = is_whole() ? std::nullopt : osteon::preferred_split(default_kernel(s), c, preference);
   if (!t || t->tree.vertices.size() + 2 != c.facets.size())
     throw unsupported_error("not yet: the spherical skeleton of a vertex with several facets in one plane; hint: list its splits with --all");
   const spherical_skeleton sphere = make_spherical_skeleton(s.planes, c, t->tree);
@@ -185,8 +172,7 @@ spherical_picture vertex_splits::spherical(split_preference preference, const st
 
 ambiguity count_ambiguity(const polyhedron& p) {
   const solid<integer>& s = p.access()->checked;
-  const auto perturbed_kernel = default_kernel(s);
-  const kernel k(perturbed_kernel);
+  const kernel k = default_kernel(s);
   ambiguity result;
   integer product = 1;
   result.splits.exact = true;
@@ -199,7 +185,7 @@ ambiguity count_ambiguity(const polyhedron& p) {
       result.vertices.push_back({s.input_points[v], static_cast<int>(s.boundary.vertices[v].facets.size()), {ways.str(), counted.exact}});
   }
   result.splits.valid = product.str();
-  result.saddles = raw_sqrt(s, {}).ambiguous;
+  result.saddles = raw_skeleton(k, s, {}).ambiguous;
   return result;
 }
 
@@ -209,13 +195,14 @@ std::uint64_t explore(const polyhedron& p, const exploration& e, const std::func
   const std::vector<rational> speeds = rounded_speeds(s.planes);
   std::vector<rational> times;
   for (const decimal& t : e.offsets) times.push_back(time_value(t) / unit);
+  const kernel k = default_kernel(s);
   std::set<std::vector<quadruple>> seen;
   const std::uint64_t last = e.seed + 20 * static_cast<std::uint64_t>(e.skeletons) + 100;
   std::uint64_t at = e.seed;
   for (; at < last && seen.size() < static_cast<std::size_t>(e.skeletons); ++at) {
     skeleton_options o;
     o.explore = at;
-    const skeleton raw = raw_sqrt(s, o);
+    const skeleton raw = raw_skeleton(k, s, o);
     std::vector<quadruple> nodes;
     for (const auto& n : raw.nodes) nodes.push_back(n.planes);
     std::sort(nodes.begin(), nodes.end());

@@ -10,7 +10,7 @@
 namespace osteon {
 
 plane_result run_floating(const plane_question& q) {
-  return {raw_skeleton(make_double_kernel(std::span<const moving_line<integer>>(q.polygon.lines)), q), std::nullopt};
+  return {propagated(make_double_kernel(std::span<const moving_line<integer>>(q.polygon.lines)), q), std::nullopt};
 }
 
 }  // namespace osteon

@@ -24,7 +24,7 @@ namespace osteon {
 /// Returns the raw skeleton. The wavefront is followed a little longer than asked for, so that what
 /// happens at the end has happened.
 template <class K>
-plane::skeleton raw_skeleton(const K& k, const plane_question& q) {
+plane::skeleton propagated(const K& k, const plane_question& q) {
   const auto& p = q.polygon;
   const plane::vertex_enclosures motion(p.lines, p.points, q.exterior);
   plane::skeleton_options o;
@@ -41,7 +41,7 @@ auto make_perturbed_kernel(const plane::polygon<integer>& p, Exact exact) {
 
 /// Returns what is wrong with a skeleton. `base` is the kernel below the perturbation.
 template <class K, class Base>
-std::optional<skeleton_refutation> certify(const K& k, const Base& base, const plane_question& q, const plane_result& r) {
+std::optional<skeleton_refutation> certified(const K& k, const Base& base, const plane_question& q, const plane_result& r) {
   const auto& p = q.polygon;
   auto broken = plane::verify(k, p.boundary, r.raw, q.exterior, plane::has_stationary_edge(p));
   if (!broken && r.exact) broken = plane::verify_contraction(base, p.boundary, r.raw, *r.exact);

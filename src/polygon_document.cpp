@@ -92,7 +92,7 @@ std::optional<skeleton_refutation> verify(const polygon& p, const polygon_docume
   const auto checked = checked_polygon(p, d.region);
   if (!is_of(d, *checked)) return skeleton_refutation{"structure", "the lines and edges are not those of the polygon"};
   const plane_question q{*checked, d.region == region::exterior};
-  return d.kernel == number_kernel::rational ? certify_rational(q, result_of(d)) : certify_sqrt(q, result_of(d));
+  return certify(q, result_of(d), d.kernel);
 }
 
 }  // namespace osteon

@@ -24,17 +24,7 @@ polygon_skeleton finished(std::shared_ptr<const plane::polygon<integer>> input, 
   d->input = std::move(input);
   d->options = options;
   if (options.until) d->until = time_value(*options.until);
-  switch (options.kernel) {
-    case number_kernel::sqrt:
-      d->result = run_sqrt(d->question());
-      break;
-    case number_kernel::rational:
-      d->result = run_rational(d->question());
-      break;
-    case number_kernel::floating:
-      d->result = run_floating(d->question());
-      break;
-  }
+  d->result = run(d->question(), options.kernel);
   return polygon_skeleton({std::move(d), false});
 }
 
@@ -161,7 +151,7 @@ std::vector<offset_polygon> polygon_skeleton::offsets(std::initializer_list<deci
 std::optional<skeleton_refutation> polygon_skeleton::verify() const {
   const data& d = *view_.data;
   if (d.until) throw unsupported_error("a run that was stopped has no certificate; hint: compute the skeleton without `until`");
-  return d.options.kernel == number_kernel::rational ? certify_rational(d.question(), d.result) : certify_sqrt(d.question(), d.result);
+  return certify(d.question(), d.result, d.options.kernel);
 }
 
 int polygon_skeleton::vertices() const { return static_cast<int>(view_.data->input->points.size()); }

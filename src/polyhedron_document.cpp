@@ -135,8 +135,7 @@ std::optional<skeleton_refutation> verify(const polyhedron& p, const polyhedron_
   for (std::size_t i = 0; i < std::max(s.planes.size(), d.planes.size()); ++i)
     if (i >= s.planes.size() || i >= d.planes.size() || !says(d.planes[i], s.planes[i]))
       return skeleton_refutation{"structure", "plane " + std::to_string(i) + " is not that of the solid"};
-  const space_result r = result_of(d, s);
-  return d.kernel == number_kernel::rational ? certify_rational(s, r) : certify_sqrt(s, r);
+  return certify(s, result_of(d, s), d.kernel);
 }
 
 }  // namespace osteon

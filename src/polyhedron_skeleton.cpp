@@ -37,17 +37,7 @@ polyhedron_skeleton skeletonize(const polyhedron& p, const polyhedron_options& o
   d->options = options;
   d->options.saddle = options.saddle.value_or(default_saddle(options.prefer));
   const skeleton_options o{options.prefer, *d->options.saddle, options.explore};
-  switch (options.kernel) {
-    case number_kernel::sqrt:
-      d->result = run_sqrt(d->body(), o);
-      break;
-    case number_kernel::rational:
-      d->result = run_rational(d->body(), o);
-      break;
-    case number_kernel::floating:
-      d->result = run_floating(d->body(), o);
-      break;
-  }
+  d->result = run(d->body(), o, options.kernel);
   return polyhedron_skeleton({std::move(d), false});
 }
 
@@ -114,7 +104,7 @@ polyhedron_skeleton polyhedron_skeleton::raw() const { return polyhedron_skeleto
 
 std::optional<skeleton_refutation> polyhedron_skeleton::verify() const {
   const data& d = *view_.data;
-  return d.options.kernel == number_kernel::rational ? certify_rational(d.body(), d.result) : certify_sqrt(d.body(), d.result);
+  return certify(d.body(), d.result, d.options.kernel);
 }
 
 polyhedron polyhedron_skeleton::input() const { return polyhedron(view_.data->input); }

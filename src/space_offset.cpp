@@ -5,13 +5,10 @@
 
 #include "polyhedron_skeleton_data.hpp"
 
-#include "any_kernel.hpp"
 #include "decimals.hpp"
 #include "osteon/core/error.hpp"
-#include "osteon/kernel/filtered.hpp"
-#include "osteon/kernel/perturbed.hpp"
 #include "osteon/kernel/rational.hpp"
-#include "osteon/kernel/sqrt.hpp"
+#include "space_kernels.hpp"
 
 namespace osteon {
 
@@ -25,11 +22,7 @@ std::optional<std::vector<rational>> given_speeds(const solid<integer>& s, numbe
 
 solid_surface surface_of(const polyhedron_skeleton::data& d, const rational& time, bool triangulate) {
   const solid<integer>& s = d.body();
-  const auto build = [&](auto exact) {
-    const perturbed k(filtered(std::span<const moving_plane<integer>>(s.planes), std::move(exact)));
-    return offset_surface(any_kernel<3>(k), s.planes, d.speeds(), d.result.raw, time, triangulate);
-  };
-  return d.options.kernel == number_kernel::rational ? build(make_rational_kernel(s.planes)) : build(make_sqrt_kernel(s.planes));
+  return offset_surface(make_kernels(s, d.options.kernel).perturbed, s.planes, d.speeds(), d.result.raw, time, triangulate);
 }
 
 mesh polyhedron_skeleton::offset(const decimal& time, const offset_options& options) const {

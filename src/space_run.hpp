@@ -2,11 +2,13 @@
 #pragma once
 
 /// \file
-/// Runs and certificates in space, one source file for each kernel behind them.
+/// Runs and certificates in space.
+
+#include "osteon/door/choices.hpp"
 
 #include <optional>
 
-#include "osteon/door/choices.hpp"
+#include "any_kernel.hpp"
 #include "osteon/input/solid.hpp"
 #include "osteon/kernel/integer.hpp"
 #include "osteon/space/contract.hpp"
@@ -21,16 +23,13 @@ struct space_result {
   std::optional<contracted_skeleton> exact;
 };
 
-/// Computes the raw skeleton alone with the default kernel.
-skeleton raw_sqrt(const solid<integer>& s, const skeleton_options& o);
+/// Computes the raw skeleton alone, with a kernel of the solid's planes.
+skeleton raw_skeleton(const any_kernel<3>& k, const solid<integer>& s, const skeleton_options& o);
 
-/// Computes a skeleton with the default kernel, with rational numbers, or with machine numbers.
-space_result run_sqrt(const solid<integer>& s, const skeleton_options& o);
-space_result run_rational(const solid<integer>& s, const skeleton_options& o);
-space_result run_floating(const solid<integer>& s, const skeleton_options& o);
+/// Computes a skeleton.
+space_result run(const solid<integer>& s, const skeleton_options& o, number_kernel k);
 
-/// Checks the certificate of both levels of detail with one of the exact kernels.
-std::optional<skeleton_refutation> certify_sqrt(const solid<integer>& s, const space_result& r);
-std::optional<skeleton_refutation> certify_rational(const solid<integer>& s, const space_result& r);
+/// Checks the certificate of both levels of detail; that of machine numbers by the default kernel.
+std::optional<skeleton_refutation> certify(const solid<integer>& s, const space_result& r, number_kernel k);
 
 }  // namespace osteon

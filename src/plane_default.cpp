@@ -9,16 +9,16 @@
 
 namespace osteon {
 
-plane_result run_sqrt(const plane_question& q) {
+plane_result run_default(const plane_question& q) {
   const auto k = make_perturbed_kernel(q.polygon, make_sqrt_kernel(q.polygon.lines));
-  plane_result r{raw_skeleton(k, q), std::nullopt};
+  plane_result r{propagated(k, q), std::nullopt};
   r.exact = plane::contract(k.base(), q.polygon.boundary.line, r.raw);
   return r;
 }
 
-std::optional<skeleton_refutation> certify_sqrt(const plane_question& q, const plane_result& r) {
+std::optional<skeleton_refutation> certify_default(const plane_question& q, const plane_result& r) {
   const auto k = make_perturbed_kernel(q.polygon, make_sqrt_kernel(q.polygon.lines));
-  return certify(k, k.base(), q, r);
+  return certified(k, k.base(), q, r);
 }
 
 }  // namespace osteon
