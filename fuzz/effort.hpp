@@ -28,8 +28,8 @@ class effort {
   /// Returns whether the input is small, as fifteen in sixteen are.
   bool small() const { return small_; }
 
-  /// Returns whether the dear law of this number, 1 .. 15, is looked at: for one input in eight. Where OSTEON_FUZZ_ALL_LAWS is set, as by every replay,
-  /// all laws are; what an input decodes to is the same.
+  /// Returns whether the dear law of this number, 1 .. 15, is looked at: for one input in eight. Where OSTEON_FUZZ_ALL_LAWS is set, as by every
+  /// replay, all laws are; what an input decodes to is the same.
   bool law(unsigned number) const {
     static const bool all = std::getenv("OSTEON_FUZZ_ALL_LAWS") != nullptr;
     return all || kept_ || law_ == 0 || law_ == number;
