@@ -19,6 +19,8 @@ class decoder {
   explicit decoder(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
   bool empty() const { return next_ >= bytes_.size(); }
+  /// The bytes that have not been taken.
+  std::span<const std::uint8_t> rest() const { return bytes_.subspan(next_); }
   std::uint8_t byte() { return empty() ? std::uint8_t{0} : bytes_[next_++]; }
   bool flag() { return (byte() & 1U) != 0; }
   /// About one byte value in n.
