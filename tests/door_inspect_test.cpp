@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "osteon/models/polyhedra.hpp"
+#include "osteon/models/registry.hpp"
 
 namespace osteon::inspect::test {
 namespace {

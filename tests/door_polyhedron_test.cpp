@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "osteon/models/polyhedra.hpp"
+#include "osteon/models/registry.hpp"
 #include "voxel_erosion.hpp"
 
 namespace osteon::test {
