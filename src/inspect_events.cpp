@@ -43,11 +43,8 @@ local::cell small_cell(const any_kernel<3>& k, const quadruple& q) {
   const auto m = k.meet(q);
   if (!m) throw unsupported_error("four planes of a node do not meet");
   local::cell small = 0;
-  for (unsigned r = 0; r < 4; ++r) {
-    const triple t = omit(q, r);
-    const sign lambda = r % 2 == 0 ? -k.orientation(t[0], t[1], t[2]) : k.orientation(t[0], t[1], t[2]);
-    if (lambda * k.closing(*m) == sign::positive) small |= 1U << r;
-  }
+  for (unsigned r = 0; r < 4; ++r)
+    if (lambda(k, q, r) * k.closing(*m) == sign::positive) small |= 1U << r;
   return small;
 }
 

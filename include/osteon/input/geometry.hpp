@@ -43,12 +43,20 @@ Number cross(const Number& ax, const Number& ay, const Number& bx, const Number&
   return ax * by - ay * bx;
 }
 
+/// Returns the two products whose difference is twice the signed area of the triangle abc. Filters
+/// compare the difference with their sum.
+template <class Number>
+std::array<Number, 2> area_products(const std::array<Number, 2>& a, const std::array<Number, 2>& b, const std::array<Number, 2>& c) {
+  return {Number((b[0] - a[0]) * (c[1] - a[1])), Number((b[1] - a[1]) * (c[0] - a[0]))};
+}
+
 /// Returns twice the signed area of the triangle abc of the plane: positive where its corners run
 /// counter-clockwise. For integers of a fixed size the caller must know that nothing overflows:
 /// long is exact for points of a square of side 2^31.
 template <class Number>
 Number twice_area(const std::array<Number, 2>& a, const std::array<Number, 2>& b, const std::array<Number, 2>& c) {
-  return cross<Number>(b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]);
+  const auto products = area_products(a, b, c);
+  return products[0] - products[1];
 }
 
 /// Returns whether the way from a over b to c turns left (positive), right, or not at all.

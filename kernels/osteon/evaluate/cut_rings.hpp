@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "osteon/evaluate/triangulate.hpp"
+#include "osteon/input/geometry.hpp"
 
 namespace osteon {
 
@@ -20,11 +21,7 @@ namespace osteon {
 inline double doubled_area(const std::vector<flat_point>& points, const std::vector<int>& ring) {
   double sum = 0;
   const flat_point& o = points[ring[0]];
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-    const flat_point& a = points[ring[i]];
-    const flat_point& b = points[ring[i + 1]];
-    sum += (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
-  }
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += twice_area(o, points[ring[i]], points[ring[i + 1]]);
   return sum;
 }
 

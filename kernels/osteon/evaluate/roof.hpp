@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "osteon/core/error.hpp"
+#include "osteon/evaluate/cut_rings.hpp"
 #include "osteon/evaluate/locate.hpp"
 #include "osteon/evaluate/triangulate.hpp"
 #include "osteon/input/polygon.hpp"
@@ -170,7 +171,7 @@ class roof_builder {
   void cut(const std::vector<std::vector<int>>& rings, Body body) const {
     std::vector<std::vector<int>> outer;
     std::vector<std::vector<int>> inner;
-    for (const auto& r : rings) (rings.size() == 1 || doubled_area(r) > 0 ? outer : inner).push_back(r);
+    for (const auto& r : rings) (rings.size() == 1 || doubled_area(flat_, r) > 0 ? outer : inner).push_back(r);
     if (outer.empty()) {  // too flat to tell
       outer.push_back(inner.back());
       inner.pop_back();
@@ -187,22 +188,6 @@ class roof_builder {
     }
     for (std::size_t o = 0; o < outer.size(); ++o)
       for (const auto& t : ear_clipping(flat_).run(std::move(outer[o]), std::move(holes[o]))) body(t);
-  }
-
-  double doubled_area(const std::vector<int>& r) const {
-    double sum = 0;
-    const flat_point& o = flat_[r[0]];
-    for (std::size_t i = 1; i + 1 < r.size(); ++i) {
-      const flat_point& a = flat_[r[i]];
-      const flat_point& b = flat_[r[i + 1]];
-      sum += (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
-    }
-    return sum;
-  }
-
-  static bool is_simple(std::vector<int> ring) {
-    std::sort(ring.begin(), ring.end());
-    return std::adjacent_find(ring.begin(), ring.end()) == ring.end();
   }
 
   const polygon<integer>& polygon_;

@@ -16,6 +16,7 @@
 #include "osteon/evaluate/cut_rings.hpp"
 #include "osteon/evaluate/triangulate.hpp"
 #include "osteon/input/moving_plane.hpp"
+#include "osteon/kernel/determinant.hpp"
 #include "osteon/kernel/integer.hpp"
 #include "osteon/kernel/square_classes.hpp"
 #include "osteon/kernel/to_double.hpp"
@@ -116,14 +117,9 @@ class instant_of_planes {
  private:
   const moving_plane<integer>& at(plane_id i) const { return planes_[static_cast<std::size_t>(i)]; }
 
-  integer minor(plane_id i, plane_id j, plane_id k) const {
-    const auto& a = at(i).n;
-    const auto& b = at(j).n;
-    const auto& c = at(k).n;
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
-  }
+  integer minor(plane_id i, plane_id j, plane_id k) const { return determinant(at(i).n, at(j).n, at(k).n); }
   std::array<integer, 4> lambda(const quadruple& q) const {
-    return {-minor(q[1], q[2], q[3]), minor(q[0], q[2], q[3]), -minor(q[0], q[1], q[3]), minor(q[0], q[1], q[2])};
+    return lambdas(q, [this](auto... planes) { return minor(planes...); });
   }
   // Sign of L(t) = D - t S.
   sign level(const quadruple& q, std::array<integer, 4> l) const {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "osteon/core/sign.hpp"
+#include "osteon/input/geometry.hpp"
 #include "osteon/kernel/integer.hpp"
 
 namespace osteon {
@@ -23,15 +24,13 @@ using flat_point = std::array<double, 2>;
 /// Positive where a, b, c turn left; exact but for overflow. Doubles decide unless they cancel
 /// (Shewchuk 1997, 4.3).
 inline sign turn_of(const flat_point& a, const flat_point& b, const flat_point& c) {
-  const double left = (a[0] - c[0]) * (b[1] - c[1]);
-  const double right = (a[1] - c[1]) * (b[0] - c[0]);
+  const auto [left, right] = area_products(c, a, b);
   const double det = left - right;
   if (std::abs(det) > 4e-16 * (std::abs(left) + std::abs(right)) && std::abs(det) > 1e-290) return sign_of(det);
   for (const auto& p : {a, b, c})
     if (!std::isfinite(p[0]) || !std::isfinite(p[1])) return sign::zero;
-  const auto at = [](double x, double y) { return rational(rational(x) - rational(y)); };
-  const rational exact = at(a[0], c[0]) * at(b[1], c[1]) - at(a[1], c[1]) * at(b[0], c[0]);
-  return static_cast<sign>(exact.sign());
+  const auto exact = [](const flat_point& p) { return std::array{rational(p[0]), rational(p[1])}; };
+  return turn(exact(a), exact(b), exact(c));
 }
 
 /// Whether a point is inside of a ring; arbitrary on it. Linear.
