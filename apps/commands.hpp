@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// The program's commands, one source file each. Each adds itself with its options and runs when it is named.
+/// The program's commands, one source file each. Each adds itself with its options and runs
+/// when it is named.
 
 #include <CLI/CLI.hpp>
 

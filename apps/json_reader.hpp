@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// Taking numbers and lists out of JSON texts of strangers: what is not of the expected shape is an error that names the element.
+/// Taking numbers and lists out of JSON texts of strangers: what is not of the expected shape
+/// is an error that names the element.
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The program osteon. Results on standard output, messages on standard error, exit status by kind of outcome.
+/// The program osteon. Results on standard output, messages on standard error, exit status by
+/// kind of outcome.
 
 #include <fmt/format.h>
 
@@ -84,7 +85,8 @@ exit_status with_messages(Body body) {
   }
 }
 
-/// Runs the command, and writes what standard output still holds. What was printed before an error is a result, too.
+/// Runs the command, and writes what standard output still holds. What was printed before an error
+/// is a result, too.
 exit_status run_and_flush(int argc, char** argv) {
   const exit_status status = with_messages([&] { return run(argc, argv); });
   const exit_status flushed = with_messages([] {

@@ -41,7 +41,8 @@ std::string name_in(const std::map<std::string, Value>& of, Value value) {
   return std::find_if(of.begin(), of.end(), [value](const auto& x) { return x.second == value; })->first;
 }
 
-/// Returns a check that takes numbers for which `holds`, and nothing else; `what` says what they are.
+/// Returns a check that takes numbers for which `holds`, and nothing else; `what` says what they
+/// are.
 CLI::Validator number_that(std::function<bool(double)> holds, const std::string& what);
 /// Returns a check that takes finite numbers of at least `least`, or any.
 CLI::Validator finite_number(std::optional<double> least = std::nullopt);
@@ -62,7 +63,8 @@ struct model {
   polyhedron read(input_text text) const;
 };
 
-/// Returns the number of a solid's vertex at a point of the file, counted from 1. *Throws* input_error where there is none.
+/// Returns the number of a solid's vertex at a point of the file, counted from 1. *Throws*
+/// input_error where there is none.
 int vertex_at(const polyhedron& p, const std::string& file, int point);
 
 /// Reads a polygon and says on standard error what was left out. *Throws* input_error.
@@ -70,7 +72,8 @@ polygon read_polygon_text(input_text text, checking when);
 /// Says on standard error what was repaired.
 void print_notes(const std::vector<std::string>& notes);
 
-/// Throws invariant_error where the certificate of a result that the program has just computed is refuted.
+/// Throws invariant_error where the certificate of a result that the program has just computed is
+/// refuted.
 void demand_certified(const std::optional<skeleton_refutation>& refuted);
 
 }  // namespace osteon::app

@@ -88,7 +88,8 @@ class polyhedron_reader : json_reader {
   }
 
  private:
-  // The document counts points from 1. What is no number of a point becomes one that no solid has, so that the certificate refutes it.
+  // The document counts points from 1. What is no number of a point becomes one that no solid has,
+  // so that the certificate refutes it.
   static int point(int number) { return number < 1 ? std::numeric_limits<int>::max() : number - 1; }
 
   polyhedron_document::node node(const json& n, const std::string& at) const {

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// What is around every example: notes and errors on standard error, the status, and no result that is lost in silence.
+/// What is around every example: notes and errors on standard error, the status, and no
+/// result that is lost in silence.
 
 #include <cstdio>
 #include <exception>
@@ -18,7 +19,8 @@ inline osteon::polygon read(const char* file) {
   return p;
 }
 
-/// Runs an example. Returns the program's status: 0 done, 3 bad input, 5 another error, 6 the result could not be written.
+/// Runs an example. Returns the program's status: 0 done, 3 bad input, 5 another error, 6 the
+/// result could not be written.
 template <class Body>
 int run(Body body) {
   try {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// The examples as their users call them, on their own inputs: what they draw and build has the properties that it must have.
+// The examples as their users call them, on their own inputs: what they draw and build has the
+// properties that it must have.
 
 #include <gtest/gtest.h>
 
@@ -235,7 +236,8 @@ std::vector<double> directions(const paper& s, const point& p) {
   return all;
 }
 
-// Kawasaki: where creases meet, paper lies flat if and only if every other angle adds up to 180 degrees.
+// Kawasaki: where creases meet, paper lies flat if and only if every other angle adds up to 180
+// degrees.
 void expect_flat(const paper& s) {
   const double pi = std::acos(-1.0);
   int checked = 0;
@@ -257,7 +259,8 @@ void expect_flat(const paper& s) {
   EXPECT_GT(checked, 0);
 }
 
-// Where a perpendicular crosses a side it does so at a right angle. Returns how many crossings there are.
+// Where a perpendicular crosses a side it does so at a right angle. Returns how many crossings
+// there are.
 int expect_right_angles(const paper& s) {
   int crossings = 0;
   for (const line& l : s.perpendiculars)

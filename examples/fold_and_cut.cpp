@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// A sheet of paper folded flat so that one straight cut leaves the polygon: the creases after Demaine, Demaine, Lubiw (1998).
-///   fold_and_cut FILE [MARGIN]
-/// FILE is a polygon, with holes if you like; MARGIN is the paper around it, by default a quarter of its greater extent. The result is SVG, in the
-/// coordinates of the file: solid the polygon's sides, which the cut goes along, dashed red the straight skeleton, blue the perpendiculars.
+/// A sheet of paper folded flat so that one straight cut leaves the polygon: the creases
+/// after Demaine, Demaine, Lubiw (1998).
+///   fold_and_cut FILE [MARGIN] FILE is a polygon, with holes if you like; MARGIN is the paper
+///   around it, by default a quarter of its greater extent. The result is SVG, in the coordinates
+///   of the file: solid the polygon's sides, which the cut goes along, dashed red the straight
+///   skeleton, blue the perpendiculars.
 ///
-/// The creases are the skeleton inside and outside, of the polygon alone, as if the paper had no border: nobody cuts along that, so it must not
-/// move, nor stop anything, as even an edge that is held would. What lies beyond the paper is cut off. From each node of the skeleton go
-/// perpendiculars to the edges whose faces they enter there, mirrored at every arc, until they leave the sheet or meet a node. There are polygons
-/// where they never do and lie densely; so each one is given up after a number of arcs, which standard error then tells, as it does where one meets
-/// a node from behind: there the polygon is so special that two perpendiculars would have to lie on each other. The skeleton is exact, the
-/// perpendiculars are doubles: this is a drawing.
+/// The creases are the skeleton inside and outside, of the polygon alone, as if the paper had no
+/// border: nobody cuts along that, so it must not move, nor stop anything, as even an edge that is
+/// held would. What lies beyond the paper is cut off. From each node of the skeleton go
+/// perpendiculars to the edges whose faces they enter there, mirrored at every arc, until they
+/// leave the sheet or meet a node. There are polygons where they never do and lie densely; so each
+/// one is given up after a number of arcs, which standard error then tells, as it does where one
+/// meets a node from behind: there the polygon is so special that two perpendiculars would have to
+/// lie on each other. The skeleton is exact, the perpendiculars are doubles: this is a drawing.
 
 #include <algorithm>
 #include <array>
@@ -39,7 +43,8 @@ double cross(vec a, vec b) { return a.x * b.y - a.y * b.x; }
 double length(vec a) { return std::hypot(a.x, a.y); }
 vec unit(vec a) { return 1 / length(a) * a; }
 
-/// Walls cut the plane into faces, one on each side of each edge: the arcs of both skeletons, which are creases, and the edges themselves.
+/// Walls cut the plane into faces, one on each side of each edge: the arcs of both skeletons, which
+/// are creases, and the edges themselves.
 class fold {
  public:
   fold(const polygon& p, double margin) {
@@ -60,7 +65,8 @@ class fold {
     add_sides(inside, inner);
   }
 
-  /// From each node of the skeleton on the paper. The others' do not matter: creases that only pass can be left out.
+  /// From each node of the skeleton on the paper. The others' do not matter: creases that only pass
+  /// can be left out.
   void add_perpendiculars() {
     for (int n = vertices_; n < static_cast<int>(nodes_.size()); ++n)
       if (is_on_paper(nodes_[n].at)) find_starts(n);
@@ -171,7 +177,8 @@ class fold {
     }
   }
 
-  // The polygon's edges, between the faces inside and those from `outer` on: where the boundary of a face goes from vertex to vertex.
+  // The polygon's edges, between the faces inside and those from `outer` on: where the boundary of
+  // a face goes from vertex to vertex.
   void add_sides(const polygon_skeleton& inside, int outer) {
     for (const auto& swept : inside.faces())
       for (const auto& loop : swept.boundary())
@@ -200,7 +207,8 @@ class fold {
     auto around = nodes_[n].walls;
     const auto angle = [&](vec d) { return std::atan2(d.y, d.x); };
     std::sort(around.begin(), around.end(), [&](int v, int w) { return angle(direction(walls_[v], n)) < angle(direction(walls_[w], n)); });
-    // The face behind each wall: one of the first wall's two, and from there on each wall leads from one of its faces to the other.
+    // The face behind each wall: one of the first wall's two, and from there on each wall leads
+    // from one of its faces to the other.
     for (const int first : walls_[around[0]].faces) {
       std::vector<int> behind = {first};
       while (behind.size() <= around.size()) {
@@ -215,7 +223,8 @@ class fold {
         const vec down = faces_[behind[i]].down;
         const auto turn = [&](vec d) { return std::fmod(angle(d) - angle(here) + 4 * std::acos(-1.0), 2 * std::acos(-1.0)); };
         if (turn(down) < turn(next)) starts_[{n, behind[i], true}] = false;
-        // Two edges on one line have become one: where their tracks touch is a crease, too, the bisector of those edges.
+        // Two edges on one line have become one: where their tracks touch is a crease, too, the
+        // bisector of those edges.
         if (turn(-1 * down) < turn(next) && dot(here, down) > 0 && dot(next, down) > 0) starts_[{n, behind[i], false}] = false;
       }
       return;
@@ -311,7 +320,8 @@ class fold {
     std::printf("\"/>\n");
   }
 
-  static constexpr double near = 1e-10;  // what is no farther apart, of the paper's size, is one point
+  // what is no farther apart, of the paper's size, is one point
+  static constexpr double near = 1e-10;
 
   int vertices_ = 0;
   std::map<int, int> vertex_at_;  // by point of the file: the node

@@ -2,9 +2,10 @@
 
 /// \file
 /// A house from its outline: walls, and a hip roof that rises from every edge at the same angle.
-///   hip_roof FILE [DEGREES [GABLE]]
-/// DEGREES is the angle of the roof, 45 unless given. GABLE is the number of the point in the file, counted from 1, where the edge starts whose wall
-/// goes up to the ridge instead: that edge gets the weight 0, it does not move. The house comes as OBJ, its sizes on standard error.
+///   hip_roof FILE [DEGREES [GABLE]] DEGREES is the angle of the roof, 45 unless given. GABLE is
+///   the number of the point in the file, counted from 1, where the edge starts whose wall goes up
+///   to the ridge instead: that edge gets the weight 0, it does not move. The house comes as OBJ,
+///   its sizes on standard error.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +17,8 @@
 
 namespace {
 
-/// Twice the area of a flat facet, as a vector, from triangles; and six times the volume between it and the origin.
+/// Twice the area of a flat facet, as a vector, from triangles; and six times the volume between it
+/// and the origin.
 std::array<double, 4> measure(const osteon::mesh& m, const std::vector<int>& facet) {
   std::array<double, 4> sum{};
   const auto& o = m.points[facet[0]];
@@ -41,7 +43,8 @@ void report(const osteon::mesh& m) {
   for (const auto& p : m.points) ridge = std::max(ridge, p[2]);
   for (std::size_t f = 0; f < m.facets.size(); ++f) {
     const auto x = measure(m, m.facets[f]);
-    if (m.kinds[f] == osteon::facet_kind::roof && x[2] > 0) area += std::hypot(x[0], x[1], x[2]) / 2;  // a gable is upright
+    // a gable is upright
+    if (m.kinds[f] == osteon::facet_kind::roof && x[2] > 0) area += std::hypot(x[0], x[1], x[2]) / 2;
     volume += x[3] / 6;
   }
   std::fprintf(stderr, "ridge at %.10g, %.10g of roof to cover, volume %.10g\n", ridge, area, volume);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Centre lines of roads: the arcs of the straight skeleton of the roads' surface that touch no corner of it.
-///   road_centre_lines FILE
-/// FILE is a polygon, its holes are the blocks between the roads. The result is one line of WKT, a MULTILINESTRING M: a line from junction to
-/// junction, and as the measure M of each point the width of the road there, twice the time of the wavefront.
-/// Where a road leaves between two sides on one line, these become one edge of the wavefront, which passes the mouth: the road is led on across the
-/// track of that edge. A branch with a dead end that is not longer than half the road's width where it leaves is a spur of a rounded corner, no
-/// road, and is left out. A road with a dead end stops about half its width before its surface does, where the arcs into the corners begin.
+/// Centre lines of roads: the arcs of the straight skeleton of the roads' surface that touch
+/// no corner of it.
+///   road_centre_lines FILE FILE is a polygon, its holes are the blocks between the roads. The
+///   result is one line of WKT, a MULTILINESTRING M: a line from junction to junction, and as the
+///   measure M of each point the width of the road there, twice the time of the wavefront. Where a
+///   road leaves between two sides on one line, these become one edge of the wavefront, which
+///   passes the mouth: the road is led on across the track of that edge. A branch with a dead end
+///   that is not longer than half the road's width where it leaves is a spur of a rounded corner,
+///   no road, and is left out. A road with a dead end stops about half its width before its surface
+///   does, where the arcs into the corners begin.
 
 #include <algorithm>
 #include <array>
@@ -30,7 +33,8 @@ class centre_lines {
     }
     for (const auto& a : skeleton.arcs()) arcs_.push_back({a.source().id(), a.target().id(), {a.faces()[0].id(), a.faces()[1].id()}});
     at_.resize(places_.size());
-    std::map<std::pair<int, int>, int> corners;  // how many arcs lead from vertices to a node beside a face
+    // how many arcs lead from vertices to a node beside a face
+    std::map<std::pair<int, int>, int> corners;
     for (const auto& a : arcs_) {
       if (!is_vertex[a.source])
         join(a.source, a.target);
@@ -112,8 +116,8 @@ class centre_lines {
     for (std::size_t i = 1; i < line.size(); ++i) part(line[i - 1], line[i]);
   }
 
-  // In front of two vertices where the same face begins is a dead end, which lies before the face's edge, or a mouth, which lies behind it. From
-  // there a line leads to the next arc of the face.
+  // In front of two vertices where the same face begins is a dead end, which lies before the face's
+  // edge, or a mouth, which lies behind it. From there a line leads to the next arc of the face.
   void lead_on(const std::vector<bool>& is_vertex, int node, int face, const std::array<double, 2>& inwards) {
     const place& p = places_[node];
     const auto height = [&](const place& q) { return inwards[0] * (q.x - p.x) + inwards[1] * (q.y - p.y); };

@@ -48,7 +48,8 @@ class any_kernel {
     alignas(double) std::array<std::byte, 160> state;
   };
 
-  /// Takes a kernel, or a part of what `k` owns. *Requires* one whose meetings can be copied as bytes.
+  /// Takes a kernel, or a part of what `k` owns. *Requires* one whose meetings can be copied as
+  /// bytes.
   template <kernel<Dimension> K>
   explicit any_kernel(std::shared_ptr<const K> k) : behind_(std::make_shared<const model<K>>(std::move(k))) {}
 

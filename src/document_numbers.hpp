@@ -22,7 +22,8 @@ inline integer whole_number(const std::string& text) {
   const std::size_t sign = text.starts_with('-') ? 1 : 0;
   if (text.size() == sign || text.find_first_not_of("0123456789", sign) != std::string::npos)
     throw input_error(input_fault::not_skeleton, 0, "\"" + text + "\" is no whole number", "give decimal digits");
-  const std::size_t zeros = std::min(text.find_first_not_of('0', sign), text.size() - 1);  // a leading zero would mean base eight
+  // a leading zero would mean base eight
+  const std::size_t zeros = std::min(text.find_first_not_of('0', sign), text.size() - 1);
   return integer(text.substr(0, sign) + text.substr(zeros));
 }
 

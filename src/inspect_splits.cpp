@@ -42,7 +42,8 @@ auto search_of(const kernel& k, const corner& c, Body body) {
   return body(search);
 }
 
-// Up to greatest_split_degree: in the thesis's order, with the trees of both perturbations and with vertices at infinity.
+// Up to greatest_split_degree: in the thesis's order, with the trees of both perturbations and with
+// vertices at infinity.
 void enumerate(const solid<integer>& s, const corner& c, const std::function<bool(const split_tree&, bool)>& visit) {
   std::map<split_tree, bool> trees;  // whether all vertices stay near
   for (const bool mirrored : {false, true}) {

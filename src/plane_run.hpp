@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// Runs and certificates in the plane. The default kernel has algorithms of its own, since a virtual call counts there (two to eight percent); so has
-/// the one of machine numbers, which knows no limits.
+/// Runs and certificates in the plane. The default kernel has algorithms of its own, since a
+/// virtual call counts there (two to eight percent); so has the one of machine numbers, which knows
+/// no limits.
 
 #include "osteon/door/choices.hpp"
 

@@ -16,7 +16,8 @@ namespace osteon {
 /// The checked solid.
 struct polyhedron::data {
   solid<integer> checked;
-  std::vector<int> given;  ///< by facet of the checked mesh: the one given; empty where these are the same
+  /// by facet of the checked mesh: the one given; empty where these are the same
+  std::vector<int> given;
 
   int given_facet(int f) const { return given.empty() ? f : given[static_cast<std::size_t>(f)]; }
 };

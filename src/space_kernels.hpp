@@ -12,8 +12,8 @@
 
 namespace osteon {
 
-/// Returns the kernel for a solid's planes, perturbed (`mirrored`: the other way) where it is exact; machine numbers are not, and are both of the
-/// pair.
+/// Returns the kernel for a solid's planes, perturbed (`mirrored`: the other way) where it is
+/// exact; machine numbers are not, and are both of the pair.
 kernel_pair<3> make_kernels(const solid<integer>& s, number_kernel k, bool mirrored = false);
 
 }  // namespace osteon

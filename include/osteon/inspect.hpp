@@ -46,13 +46,15 @@ struct spherical_picture {
     std::vector<vector> points;  ///< along a great circle
   };
   struct arc {
-    std::array<int, 2> facets;  ///< around the vertex; the second is -1 for a side of the spherical polygon
+    /// around the vertex; the second is -1 for a side of the spherical polygon
+    std::array<int, 2> facets;
     std::array<int, 2> nodes;
     bool convex;  ///< of the edge that sweeps it; of a side meaningless
     std::vector<part> parts;
   };
-  vector eye;                 ///< the direction of view
-  std::vector<vector> nodes;  ///< first the vertex's edges, then the tree's vertices in the direction in which they move
+  vector eye;  ///< the direction of view
+  /// first the vertex's edges, then the tree's vertices in the direction in which they move
+  std::vector<vector> nodes;
   std::vector<arc> arcs;
 };
 
@@ -109,7 +111,8 @@ struct ambiguity {
   };
   std::vector<vertex> vertices;  ///< those with several valid splits, or none
   split_count splits;            ///< their product
-  int saddles;                   ///< that the skeleton of most convex edges meets, each with two outcomes
+  /// that the skeleton of most convex edges meets, each with two outcomes
+  int saddles;
 };
 
 /// Counts the choices that a solid's skeleton has.
@@ -141,7 +144,9 @@ struct event_picture {
   event_kind kind;
   bool ambiguous;
   std::array<int, 4> planes;  ///< ascending
-  int small;                  ///< the small tetrahedron before the event, as the number of a cell; its complement is there only after
+  /// the small tetrahedron before the event, as the number of a cell; its complement is there only
+  /// after
+  int small;
   /// Whether a cell is solid, by its number: bit q says that it lies inside plane q.
   std::array<bool, 16> before;  ///< false for what is not there
   std::array<bool, 16> after;
@@ -152,8 +157,8 @@ struct event_picture {
 event_picture picture_of(const polyhedron_skeleton::node& event);
 
 /// How often the algorithms asked each predicate, and how often floating point left a sign to exact
-/// numbers. In units of questions; an exact number of them is that of one run and says nothing about
-/// time.
+/// numbers. In units of questions; an exact number of them is that of one run and says nothing
+/// about time.
 struct predicate_statistics {
   std::uint64_t orientation = 0;     ///< how planes meet
   std::uint64_t side = 0;            ///< on which side of a plane a vertex is

@@ -7,7 +7,8 @@
 ///
 ///     #include <osteon/osteon.hpp>
 ///
-///     osteon::polygon plan = osteon::read_polygon("plan.wkt");  // or from points; throws input_error
+///     osteon::polygon plan = osteon::read_polygon("plan.wkt");  // or from points; throws
+///     input_error
 ///     plan.set_weight(2, 0);                                    // edge 2 stands still: a gable
 ///     auto s = osteon::skeletonize(plan);  // {.region = ..., .until = 2.5, .kernel = ...}
 ///     for (auto arc : s.arcs()) draw(arc.source().point(), arc.target().point());

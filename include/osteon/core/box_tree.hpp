@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// The broad phase: which boxes overlap, in a tree of squares that is as fine as the boxes in it are small.
+/// The broad phase: which boxes overlap, in a tree of squares that is as fine as the boxes in
+/// it are small.
 
 #include <algorithm>
 #include <array>
@@ -49,10 +50,11 @@ struct box {
   bool meets(const box& b) const { return low[0] <= b.high[0] && b.low[0] <= high[0] && low[1] <= b.high[1] && b.low[1] <= high[1]; }
 };
 
-/// Boxes of numbered things in a tree of grids: a cell with too many boxes is cut into so many parts, along one axis or both, that few boxes are in
-/// each and few in several. Expected constant time for an insertion where boxes are spread evenly; where they crowd, a level more for each cut, at
-/// most 64; a search visits the leaves that the box meets. Boxes are rounded outwards to a grid of 2^32 by 2^32, so that a leaf's fit into a few
-/// cache lines.
+/// Boxes of numbered things in a tree of grids: a cell with too many boxes is cut into so many
+/// parts, along one axis or both, that few boxes are in each and few in several. Expected constant
+/// time for an insertion where boxes are spread evenly; where they crowd, a level more for each
+/// cut, at most 64; a search visits the leaves that the box meets. Boxes are rounded outwards to a
+/// grid of 2^32 by 2^32, so that a leaf's fit into a few cache lines.
 class box_tree {
  public:
   /// Empties the tree. `frame`: where boxes will be, about; others are moved to its border.
@@ -82,7 +84,8 @@ class box_tree {
     search(0, whole, rounded(b, -1), body);
   }
 
-  /// What is around this box will be asked for soon. To be called for many boxes, then for all of them with `deep`: only so do they wait together.
+  /// What is around this box will be asked for soon. To be called for many boxes, then for all of
+  /// them with `deep`: only so do they wait together.
   void prefetch(const box& b, bool deep) const {
     if (nodes_.empty()) return;
     const entry e = rounded(box::at({(b.low[0] + b.high[0]) / 2, (b.low[1] + b.high[1]) / 2}), -1);
@@ -196,7 +199,8 @@ class box_tree {
       for (int i = 0; i < blocks_[b].count; ++i) body(blocks_[b].entries[i]);
   }
 
-  // Into how many parts a leaf is to be cut: 2^bits on each axis; none where its boxes are so great that many would be in several.
+  // Into how many parts a leaf is to be cut: 2^bits on each axis; none where its boxes are so great
+  // that many would be in several.
   std::array<int, 2> parts(int at, const cell& c) const {
     const double count = nodes_[at].count;
     std::array<double, 2> sides{};
@@ -212,7 +216,8 @@ class box_tree {
       }
       area += side[0] * side[1];
     });
-    // How many parts their boxes meet, all together, where a side is cut into so many; the expected number for boxes at random.
+    // How many parts their boxes meet, all together, where a side is cut into so many; the expected
+    // number for boxes at random.
     const auto met = [&](double m, double n) { return count + sides[0] * (m - 1) + sides[1] * (n - 1) + area * (m - 1) * (n - 1); };
     std::array<int, 2> bits{};
     while (std::ldexp(2 * room, bits[0] + bits[1]) < count && bits[0] + bits[1] < 20) {

@@ -10,8 +10,10 @@
 
 namespace osteon {
 
-/// A partition of 0 .. size - 1; at first each number is a set of its own. Each set has a representative, one of its members.
-/// *Source* Tarjan, van Leeuwen: Worst-case analysis of set union algorithms. J. ACM 31 (1984); path halving.
+/// A partition of 0 .. size - 1; at first each number is a set of its own. Each set has a
+/// representative, one of its members.
+/// *Source* Tarjan, van Leeuwen: Worst-case analysis of set union algorithms. J. ACM 31 (1984);
+/// path halving.
 class disjoint_sets {
  public:
   explicit disjoint_sets(std::size_t size = 0) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }

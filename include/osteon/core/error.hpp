@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// The errors of the library. Bad input is a typed value that names the element and the hint; a kernel that cannot
-/// decide is an error of its own; a broken invariant names itself.
+/// The errors of the library. Bad input is a typed value that names the element and the hint;
+/// a kernel that cannot decide is an error of its own; a broken invariant names itself.
 
 #include <cstdint>
 #include <stdexcept>
@@ -46,11 +46,13 @@ enum class input_fault : std::uint8_t {
   short_ring,           ///< a ring with fewer than three different points
   spike,                ///< a boundary that turns back on itself
   pinched,              ///< a polygon whose interior falls apart where its boundary touches itself
-  misplaced_ring,       ///< a hole that is not directly inside its outer ring, or a part inside another part
-  bad_weight            ///< the weight of an edge is less than zero, or missing
+  /// a hole that is not directly inside its outer ring, or a part inside another part
+  misplaced_ring,
+  bad_weight  ///< the weight of an edge is less than zero, or missing
 };
 
-/// The input is not a solid or polygon. `element` is the point's, facet's or line's number, counted from one, or 0.
+/// The input is not a solid or polygon. `element` is the point's, facet's or line's number, counted
+/// from one, or 0.
 struct input_error : error {
   input_error(input_fault f, std::size_t number, const std::string& what, std::string remedy)
       : error(what + "; hint: " + remedy), fault(f), element(number), hint(std::move(remedy)) {}

@@ -143,8 +143,8 @@ using base_of = std::remove_cvref_t<decltype(std::declval<const K&>().base())>;
 template <class K, int D>
 concept perturbed_kernel = kernel<K, D> && tie_breaking_kernel<K> && unperturbed_kernel<base_of<K>, D>;
 
-/// A kernel under which a raw skeleton can be contracted: by its own zeros, or by those of its base.
-/// A kernel that breaks ties and has no base would merge nothing.
+/// A kernel under which a raw skeleton can be contracted: by its own zeros, or by those of its
+/// base. A kernel that breaks ties and has no base would merge nothing.
 template <class K, int D>
 concept contracting_kernel = unperturbed_kernel<K, D> || perturbed_kernel<K, D>;
 

@@ -9,7 +9,8 @@
 namespace osteon {
 
 /// A stream of pseudo-random numbers. The same seed gives the same numbers.
-/// *Source* Steele, Lea, Flood: Fast splittable pseudorandom number generators. OOPSLA 2014 (splitmix64).
+/// *Source* Steele, Lea, Flood: Fast splittable pseudorandom number generators. OOPSLA 2014
+/// (splitmix64).
 class random_stream {
  public:
   static constexpr std::uint64_t step = 0x9E3779B97F4A7C15U;
@@ -22,7 +23,8 @@ class random_stream {
     return mixed(state_);
   }
 
-  /// Returns an integer that is uniform in low .. high, up to a bias below 2^-32 for ranges below 2^32.
+  /// Returns an integer that is uniform in low .. high, up to a bias below 2^-32 for ranges below
+  /// 2^32.
   /// *Requires* low <= high.
   constexpr long between(long low, long high) { return low + static_cast<long>((*this)() % static_cast<std::uint64_t>(high - low + 1)); }
 

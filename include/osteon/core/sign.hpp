@@ -6,8 +6,9 @@
 
 namespace osteon {
 
-/// The sign of a real number. `zero` means exactly zero, never "too close to tell": a kernel that cannot tell says
-/// so with an empty `std::optional<sign>` (filters) or by throwing `undecided_error`.
+/// The sign of a real number. `zero` means exactly zero, never "too close to tell": a kernel that
+/// cannot tell says so with an empty `std::optional<sign>` (filters) or by throwing
+/// `undecided_error`.
 enum class sign : signed char { negative = -1, zero = 0, positive = 1 };
 
 /// The sign of -x. Constant time.
@@ -16,7 +17,8 @@ constexpr sign operator-(sign s) noexcept { return static_cast<sign>(-static_cas
 /// The sign of a product. Constant time.
 constexpr sign operator*(sign a, sign b) noexcept { return static_cast<sign>(static_cast<int>(a) * static_cast<int>(b)); }
 
-/// The sign of a number of any type that compares with 0 (for floating point: of the rounded value; NaN gives zero).
+/// The sign of a number of any type that compares with 0 (for floating point: of the rounded value;
+/// NaN gives zero).
 template <class Number>
 constexpr sign sign_of(const Number& x) {
   return x < 0 ? sign::negative : (x > 0 ? sign::positive : sign::zero);

@@ -17,7 +17,9 @@ namespace osteon {
 enum class number_kernel : std::uint8_t {
   sqrt,      ///< exact for unit speeds: signs of linear forms in square roots; the default
   rational,  ///< exact for speeds that are rounded to 2^-64 (relative)
-  floating   ///< machine numbers: fast and not exact; ends with undecided_error where its answers contradict each other
+  /// machine numbers: fast and not exact; ends with undecided_error where its answers contradict
+  /// each other
+  floating
 };
 
 /// Returns the kernel's name in documents: "sqrt", "rational" or "double".
@@ -42,7 +44,8 @@ enum class event_kind : std::uint8_t {
   E_E,
   V_F,
   other,  ///< of a polyhedron: none of the thirteen
-  merged  ///< of a contracted skeleton: several events at one place, which the raw skeleton tells apart
+  /// of a contracted skeleton: several events at one place, which the raw skeleton tells apart
+  merged
 };
 
 /// Returns the name of a kind: that of the enumerator, with "-" in place of "_" ("V-V-I").

@@ -39,7 +39,9 @@ struct exact_scale {
 /// A polygon's skeleton. Edge i, face i and vertex i of the outline belong together.
 struct polygon_document {
   struct outline_edge {
-    int point;  ///< of the input, where it starts; an exterior run's edge ends at the one that follows in the input
+    /// of the input, where it starts; an exterior run's edge ends at the one that follows in the
+    /// input
+    int point;
     int next;
     int line;
   };
@@ -48,7 +50,8 @@ struct polygon_document {
     event_kind event;          ///< vertex, edge or split
     bool zero_length;          ///< the edge that vanishes has length zero in the limit only
     std::array<int, 3> lines;  ///< ascending; of a vertex its two lines and -1
-    double time = 0;           ///< in units of the input, like the point: for people, and not looked at
+    /// in units of the input, like the point: for people, and not looked at
+    double time = 0;
     std::array<double, 2> point{};
   };
   struct arc {
@@ -96,7 +99,8 @@ struct polyhedron_document {
     bool ambiguous;
     std::array<int, 4> planes;  ///< ascending; of a vertex the first three of its corner and -1
     std::vector<int> arcs;
-    bool has_place = false;  ///< time and point, in units of the input, are there; for people, and not looked at
+    /// time and point, in units of the input, are there; for people, and not looked at
+    bool has_place = false;
     double time = 0;
     std::array<double, 3> point{};
   };

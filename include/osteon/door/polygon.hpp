@@ -20,7 +20,8 @@ namespace osteon {
 /// Which side of a polygon's boundary is meant.
 enum class region : std::uint8_t {
   interior,  ///< edges move inwards
-  exterior   ///< edges move outwards: the polygon grows and its holes shrink; some vertices move for ever
+  /// edges move outwards: the polygon grows and its holes shrink; some vertices move for ever
+  exterior
 };
 
 /// When a polygon is checked.

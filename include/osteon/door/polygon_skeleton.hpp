@@ -35,18 +35,22 @@ struct polygon_options {
 struct offset_polygon {
   struct ring {
     std::vector<std::array<double, 2>> points;  ///< counter-clockwise, holes clockwise
-    std::vector<int> edges;                     ///< by point: the edge of the input on whose moved line the ring goes on (the first of those merged)
+    /// by point: the edge of the input on whose moved line the ring goes on (the first of those
+    /// merged)
+    std::vector<int> edges;
     bool hole;
     int part;  ///< connected piece of the interior, 0 .. parts - 1
   };
-  std::vector<ring> rings;  ///< those of a part together, its outer ring first; none where nothing is left
+  /// those of a part together, its outer ring first; none where nothing is left
+  std::vector<ring> rings;
   int parts = 0;
 };
 
 /// How a roof is built. Edges have slopes of their own by their weights: an edge of weight w rises
 /// by slope / w, weight 0 is a gable.
 struct roof_options {
-  double slope = 1;          ///< height for each unit that an edge of weight 1 has moved inwards; greater than zero
+  /// height for each unit that an edge of weight 1 has moved inwards; greater than zero
+  double slope = 1;
   double eaves = 0;          ///< height of the polygon
   bool walls = false;        ///< down from the eaves to height 0; requires eaves greater than zero
   bool triangulate = false;  ///< all faces; else only those with holes

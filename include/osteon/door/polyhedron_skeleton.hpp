@@ -24,8 +24,10 @@ struct polyhedron_document;
 
 /// How a polyhedron's skeleton is computed.
 struct polyhedron_options {
-  split_preference prefer = split_preference::convex;  ///< which way to split a vertex of high degree
-  std::optional<saddle_rule> saddle = std::nullopt;    ///< which way to take at a saddle; nothing: default_saddle(prefer)
+  /// which way to split a vertex of high degree
+  split_preference prefer = split_preference::convex;
+  /// which way to take at a saddle; nothing: default_saddle(prefer)
+  std::optional<saddle_rule> saddle = std::nullopt;
   number_kernel kernel = number_kernel::sqrt;
   /// Where given, nothing is preferred: splits and outcomes of saddles are drawn, the same ones for
   /// the same number.

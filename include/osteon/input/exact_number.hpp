@@ -54,8 +54,9 @@ class digit_string {
     return true;
   }
 
-  int significant() const { return significant_; }  ///< digits from the first to the last that is not zero
-  int zeros() const { return zeros_; }              ///< zeros behind them
+  /// digits from the first to the last that is not zero
+  int significant() const { return significant_; }
+  int zeros() const { return zeros_; }  ///< zeros behind them
 
   /// Returns the digits without the zeros behind them.
   Int take() {
@@ -132,7 +133,8 @@ number_fault read_decimal(std::string_view text, exact_number<Int>& result) {
     ten += *exponent;
   }
   if (digits.significant() == 0) ten = 0;
-  const long size = digits.significant() + ten;  // the number is less than 10^size, and at least a tenth of that
+  // the number is less than 10^size, and at least a tenth of that
+  const long size = digits.significant() + ten;
   if (size > greatest_exponent || size <= -greatest_exponent) return number_fault::too_long;
   result.mantissa = minus ? Int(-digits.take()) : digits.take();
   result.ten = static_cast<int>(ten);

@@ -82,7 +82,8 @@ class chord_search {
 
   const surface<Int>& s_;
   std::vector<std::vector<int>> facets_at_;  // by point
-  std::vector<facet_and_corner> met_;        // by facet: the earlier facet that it last had a corner in common with, and the first such corner
+  // by facet: the earlier facet that it last had a corner in common with, and the first such corner
+  std::vector<facet_and_corner> met_;
 };
 
 }  // namespace osteon

@@ -124,7 +124,8 @@ class json_source {
       source_.get();
       if (c == '"') return;
       source_.append(text_, c);
-      if (c == '\\') source_.append(text_, source_.get());  // not decoded: names of members and types have no escapes
+      // not decoded: names of members and types have no escapes
+      if (c == '\\') source_.append(text_, source_.get());
     }
   }
   static bool is_number(std::string_view s) {

@@ -241,7 +241,8 @@ class polygon_builder {
   const ring_names<Int> names_;
   const ring_parts parts_;
   std::vector<Int> weights_;  // by point of the input; empty: all 1
-  exact_points<Int> points_;  // first those of the input, then those that stay, with numbers of vertices
+  // first those of the input, then those that stay, with numbers of vertices
+  exact_points<Int> points_;
   ring_chains chains_;
   ring_relations relations_;
   polygon<Int> p_;

@@ -66,7 +66,8 @@ class line_reader {
     const bool any = c != text_source::end;
     for (; c != text_source::end; c = source_.get()) {
       if (c == '\n') {
-        if (comment || text_.empty() || text_.back() != '\\') break;  // a comment's last backslash may be a path's
+        // a comment's last backslash may be a path's
+        if (comment || text_.empty() || text_.back() != '\\') break;
         text_.back() = ' ';
         continue;
       }

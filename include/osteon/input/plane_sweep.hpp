@@ -27,7 +27,9 @@ struct bad_contact {
   enum class kind : std::uint8_t {
     crossing,  ///< edges a and b cross
     overlap,   ///< edges a and b share more than a point
-    at_point   ///< the chains through the point of vertices a and b cross there; where b is an edge that runs through: `b_runs_through`
+    /// the chains through the point of vertices a and b cross there; where b is an edge that runs
+    /// through: `b_runs_through`
+    at_point
   };
   kind what;
   int a;
@@ -43,11 +45,12 @@ struct ring_relations {
     bool through;  ///< whether it is such an edge
     bool out;      ///< in the direction of the chain, or against it
   };
-  std::vector<ray> rays;                ///< of all touching points, counter-clockwise around each
-  std::vector<std::size_t> first_rays;  ///< by touching point: its first one in `rays`; and their number
-  std::vector<int> touching_vertices;   ///< one at each touching point
-  std::vector<int> parents;             ///< by ring: the innermost ring around it, or -1
-  std::vector<bool> counterclockwise;   ///< by ring
+  std::vector<ray> rays;  ///< of all touching points, counter-clockwise around each
+  /// by touching point: its first one in `rays`; and their number
+  std::vector<std::size_t> first_rays;
+  std::vector<int> touching_vertices;  ///< one at each touching point
+  std::vector<int> parents;            ///< by ring: the innermost ring around it, or -1
+  std::vector<bool> counterclockwise;  ///< by ring
 
   /// Returns the rays of a touching point.
   std::span<ray> rays_of(std::size_t t) { return std::span(rays).subspan(first_rays[t], first_rays[t + 1] - first_rays[t]); }
@@ -133,10 +136,12 @@ class plane_sweep {
     }
   }
 
-  bool forward(int edge) const { return rank_[edge] < rank_[next_[edge]]; }  // to the right, or straight up
+  // to the right, or straight up
+  bool forward(int edge) const { return rank_[edge] < rank_[next_[edge]]; }
   int left(int edge) const { return forward(edge) ? edge : next_[edge]; }
   int right(int edge) const { return forward(edge) ? next_[edge] : edge; }
-  sign side(int edge, int vertex) const { return points_.turn(left(edge), right(edge), vertex); }  // positive: the vertex lies above
+  // positive: the vertex lies above
+  sign side(int edge, int vertex) const { return points_.turn(left(edge), right(edge), vertex); }
 
   // For edges that do not cross and have abscissas in common.
   bool below(int a, int b) const {

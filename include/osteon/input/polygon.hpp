@@ -24,16 +24,21 @@ struct polygon {
   std::vector<moving_line<Int>> lines;  ///< all different
   plane::boundary boundary;
   std::vector<std::array<Int, 2>> points;  ///< of the vertices
-  std::vector<int> input_points;           ///< their numbers in the input, counted through all rings from 0
-  std::vector<int> input_edges;            ///< by edge: an edge of the input that it is part of, by the number of its first point
-  int holes = 0;                           ///< clockwise rings of the boundary: holes that touch are one, none if they touch the outer ring
-  int parts = 0;                           ///< counter-clockwise rings: connected pieces of the interior
+  /// their numbers in the input, counted through all rings from 0
+  std::vector<int> input_points;
+  /// by edge: an edge of the input that it is part of, by the number of its first point
+  std::vector<int> input_edges;
+  /// clockwise rings of the boundary: holes that touch are one, none if they touch the outer ring
+  int holes = 0;
+  /// counter-clockwise rings: connected pieces of the interior
+  int parts = 0;
   std::array<Int, 2> shift{};
   int ten = 0;
   int two = 0;
   int weight_ten = 0;
   int weight_two = 0;
-  std::vector<std::string> repairs;  ///< what was changed or accepted, one sentence each; empty: nothing
+  /// what was changed or accepted, one sentence each; empty: nothing
+  std::vector<std::string> repairs;
 };
 
 /// Returns whether an edge of a polygon has weight zero: it stays where it is.

@@ -20,9 +20,12 @@ namespace osteon {
 struct bad_contact {
   /// What touches what.
   enum class kind : std::uint8_t {
-    edge,    ///< edge (a,b) meets the facet outside their common corners and edges
-    corner,  ///< the facet's loop passes the point a more than once, and its inside overlaps or turns over there
-    chord    ///< the facet and facet `other` pass through each other between their common corners a and b
+    edge,  ///< edge (a,b) meets the facet outside their common corners and edges
+    /// the facet's loop passes the point a more than once, and its inside overlaps or turns over
+    /// there
+    corner,
+    /// the facet and facet `other` pass through each other between their common corners a and b
+    chord
   };
   kind what;
   int facet;

@@ -21,14 +21,16 @@ namespace osteon::plane {
 /// Closed chains of vertices: at first those of rings, in order, each at the point with its number.
 /// Edge v starts at vertex v.
 struct ring_chains {
-  std::vector<int> input;     ///< by vertex: the point of the input
-  std::vector<int> weight;    ///< by vertex: the point of the input whose weight the edge has that starts here
-  std::vector<int> ring;      ///< by vertex
-  std::vector<int> next;      ///< by vertex: where the edge leads that starts here
-  std::vector<int> previous;  ///< by vertex: where the edge starts that leads here; empty before rings are oriented
-  std::vector<int> first;     ///< by ring: its first vertex
-  int size_of_rings = 0;      ///< how many vertices belong to rings; those behind them cut edges
-  std::vector<int> cut_at;    ///< by vertex that cuts an edge: a vertex of a ring at the same point
+  std::vector<int> input;  ///< by vertex: the point of the input
+  /// by vertex: the point of the input whose weight the edge has that starts here
+  std::vector<int> weight;
+  std::vector<int> ring;  ///< by vertex
+  std::vector<int> next;  ///< by vertex: where the edge leads that starts here
+  /// by vertex: where the edge starts that leads here; empty before rings are oriented
+  std::vector<int> previous;
+  std::vector<int> first;   ///< by ring: its first vertex
+  int size_of_rings = 0;    ///< how many vertices belong to rings; those behind them cut edges
+  std::vector<int> cut_at;  ///< by vertex that cuts an edge: a vertex of a ring at the same point
 
   /// Returns the number of vertices.
   int size() const { return static_cast<int>(next.size()); }

@@ -24,9 +24,11 @@ struct rings {
   /// A ring, with what is known of its edges.
   struct ring {
     std::vector<std::array<exact_number<Int>, 2>> points;
-    std::vector<exact_number<Int>> weights;  ///< of the edge that starts at each point; empty: all 1
-    std::vector<std::size_t> lines;          ///< of the file, by point; or empty
-    int part = 0;                            ///< polygon of a multipolygon; the first ring of a part is its outer one
+    /// of the edge that starts at each point; empty: all 1
+    std::vector<exact_number<Int>> weights;
+    std::vector<std::size_t> lines;  ///< of the file, by point; or empty
+    /// polygon of a multipolygon; the first ring of a part is its outer one
+    int part = 0;
   };
   std::vector<ring> all;
   std::string file;                ///< for messages; empty for memory

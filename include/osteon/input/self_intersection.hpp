@@ -151,7 +151,8 @@ class edge_facet_search {
       greatest = std::max(greatest, std::abs(p.n[axis]));
     }
     p.d = static_cast<double>(Int(exact.d >> (shift + s_.rough_shift)));
-    p.error = greatest * reach * 1e-14;  // four conversions, six roundings: at most 20 ulp of this product
+    // four conversions, six roundings: at most 20 ulp of this product
+    p.error = greatest * reach * 1e-14;
     return p;
   }
 
@@ -177,7 +178,8 @@ class edge_facet_search {
   sign side(int p, int f) const { return is_corner(p, f) ? sign::zero : sign_of(height(p, f)); }
 
   bool meets(const edge& e, int f) const {
-    if (e.facets[0] == f || e.facets[1] == f) return false;  // find_fault_of_loop has looked at these
+    // find_fault_of_loop has looked at these
+    if (e.facets[0] == f || e.facets[1] == f) return false;
     const sign sa = side(e.a, f);
     const sign sb = side(e.b, f);
     if (sa == sb && sa != sign::zero) return false;

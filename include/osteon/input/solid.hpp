@@ -31,7 +31,8 @@ struct solid {
   std::vector<vec<Int>> points;        ///< of the boundary's vertices
   std::vector<int> input_points;       ///< by vertex: the number of its point in the mesh, from 0
   std::vector<plane_id> facet_planes;  ///< by facet of the mesh
-  int facets = 0;                      ///< after merging coplanar neighbours, components counted separately
+  /// after merging coplanar neighbours, components counted separately
+  int facets = 0;
   vec<Int> shift;
   int ten = 0;
   int two = 0;

@@ -62,7 +62,8 @@ class solid_boundary {
       v.facets.push_back(s_.plane_of(h));
       v.edges.push_back(edge_of_[h]);
     }
-    std::rotate(v.edges.begin(), v.edges.begin() + 1, v.edges.end());  // edges[m] between facets[m] and [m + 1]
+    // edges[m] between facets[m] and [m + 1]
+    std::rotate(v.edges.begin(), v.edges.begin() + 1, v.edges.end());
   }
 
   // The edge that leaves a vertex by half-edge h, through fans with two rays up to the next vertex.
@@ -83,7 +84,8 @@ class solid_boundary {
   }
 
   const surface<Int>& s_;
-  std::vector<std::vector<int>> rays_;    // by fan: the half-edges out of it between different planes, counter-clockwise
+  // by fan: the half-edges out of it between different planes, counter-clockwise
+  std::vector<std::vector<int>> rays_;
   std::vector<int> vertex_;               // by fan; -1: none
   std::vector<std::size_t> order_;        // fans in the order of their points
   std::vector<int> points_;               // by vertex

@@ -52,7 +52,8 @@ class cell_grid {
     region r;
     std::vector<bool> done(full_.size());
     for (int y = 1; y <= width_ + 1; ++y)
-      for (int x = 1; x <= width_ + 1; ++x) {  // every ring has edges that lead right; a corner starts at most one
+      // every ring has edges that lead right; a corner starts at most one
+      for (int x = 1; x <= width_ + 1; ++x) {
         if (corners(x, y) == 0 || !(*this)(x, y) || (*this)(x, y - 1) || done[index(x, y)]) continue;
         const bool first = r.empty();
         split(walk(x, y, done), r);
@@ -66,7 +67,8 @@ class cell_grid {
   // two touch.
   ring walk(int x, int y, std::vector<bool>& done) const {
     static constexpr std::array<std::array<int, 2>, 4> step = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-    static constexpr std::array<std::array<int, 2>, 4> left = {{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};  // the cell ahead, on the left
+    // the cell ahead, on the left
+    static constexpr std::array<std::array<int, 2>, 4> left = {{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
     ring points;
     for (std::size_t d = 0; d != 0 || !done[index(x, y)];) {
       points.push_back({x - 1, y - 1});
@@ -118,7 +120,8 @@ inline cell_grid random_cells(int n, bool touching, std::uint64_t seed) {
     return grid.corners(x, y) + grid.corners(x + 1, y) + grid.corners(x, y + 1) + grid.corners(x + 1, y + 1);
   };
   const auto weight = [&grid, seed](int x, int y) { return dice(dice(seed)() ^ grid.index(x, y))(); };
-  const auto touches = [&grid](int x, int y) {  // once the cell is full: a neighbour across a corner without one in between
+  // once the cell is full: a neighbour across a corner without one in between
+  const auto touches = [&grid](int x, int y) {
     for (const int dx : {-1, 1})
       for (const int dy : {-1, 1})
         if (grid(x + dx, y + dy) && !grid(x + dx, y) && !grid(x, y + dy)) return true;
@@ -129,7 +132,8 @@ inline cell_grid random_cells(int n, bool touching, std::uint64_t seed) {
   while (vertices < n && !fringe.empty()) {
     const auto [x, y] = fringe.top().second;
     fringe.pop();
-    if (grid(x, y) || (!touching && touches(x, y))) continue;  // one that was refused comes again with its next neighbour
+    // one that was refused comes again with its next neighbour
+    if (grid(x, y) || (!touching && touches(x, y))) continue;
     vertices -= around(x, y);
     grid.fill(x, y);
     vertices += around(x, y);

@@ -63,7 +63,8 @@ inline region random_polygon(int n, std::uint64_t seed) {
     const auto right = static_cast<std::size_t>(
         std::partition(rest.begin(), rest.end(), [&](const point& p) { return turn(a, b, p) == sign::negative; }) - rest.begin());
     if (!chain(a, b, rest.subspan(0, right), roll) || !chain(b, a, rest.subspan(right), roll)) continue;
-    std::rotate(all.begin() + 1, all.begin() + 2, all.begin() + 2 + static_cast<std::ptrdiff_t>(right));  // b follows those on its right
+    // b follows those on its right
+    std::rotate(all.begin() + 1, all.begin() + 2, all.begin() + 2 + static_cast<std::ptrdiff_t>(right));
     return {points};
   }
 }

@@ -27,7 +27,8 @@ struct kind_of {
   int least_size;
   int greatest_size;
   std::function<Model(int, std::uint64_t)> make;
-  bool touching = false;  ///< of polygons: whether rings may share points, so that not all algorithms take the polygon
+  /// of polygons: whether rings may share points, so that not all algorithms take the polygon
+  bool touching = false;
 };
 
 /// Returns the kind of a name, or a null pointer.

@@ -50,7 +50,8 @@ inline region comb(int n, std::uint64_t seed) {
   n = std::max(n, 8);
   dice roll(seed);
   const long teeth = (n - 4) / 4;
-  const long below = n - 2 - 4 * teeth;  // vertices of the spine's lower side; two more close its ends
+  // vertices of the spine's lower side; two more close its ends
+  const long below = n - 2 - 4 * teeth;
   const long length = 2000 * teeth + 1000;
   ring points;
   for (long i = 0; i < below; ++i) points.push_back({length * i / (below - 1), -1500});
@@ -69,7 +70,8 @@ inline region spiral(int n, std::uint64_t seed) {
   n = std::max(n, 4);
   dice roll(seed);
   const double pitch = 4000;
-  const auto at = [pitch](int i, double inwards) {  // steps of a quarter of the pitch along the curve
+  // steps of a quarter of the pitch along the curve
+  const auto at = [pitch](int i, double inwards) {
     const double turns = std::sqrt(std::numbers::pi * (i + 16)) / (2 * std::numbers::pi);
     return polar(pitch * (turns - inwards), turns);
   };

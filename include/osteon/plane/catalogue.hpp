@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// All local events of the plane: the inversion of a triangle of three lines (design 06). The cells around the point where three lines meet
-/// are numbered by three bits, bit r set inside line r; the polygon there is a monotone function of the cells.
+/// All local events of the plane: the inversion of a triangle of three lines (design 06). The
+/// cells around the point where three lines meet are numbered by three bits, bit r set inside line
+/// r; the polygon there is a monotone function of the cells.
 
 #include <array>
 #include <cstdint>
@@ -18,8 +19,9 @@ using state = std::uint8_t;
 /// Returns whether cell c is inside the polygon.
 constexpr bool inside(state f, cell c) { return osteon::local::solid(f, c); }
 
-/// Three pieces of line r exist at a time: two rays and the segment between the other lines. A piece's label is the cell on its outer side.
-/// Before the event the segment's label is `small` without bit r, afterwards the opposite one; those of the rays stay.
+/// Three pieces of line r exist at a time: two rays and the segment between the other lines. A
+/// piece's label is the cell on its outer side. Before the event the segment's label is `small`
+/// without bit r, afterwards the opposite one; those of the rays stay.
 constexpr cell segment_label(cell small, unsigned r, bool after) { return (after ? small ^ 7U : small) & ~(1U << r); }
 
 /// Whether the piece of line r with this label belongs to an edge.
@@ -48,8 +50,9 @@ struct event_list {
   int size = 0;
 };
 
-/// All local events with all three lines involved: for each of the seven sign patterns of lambda (the triangle is never outside of all lines
-/// while it shrinks) the states before and the only admissible one after. 32 entries, ten up to the names of the lines
+/// All local events with all three lines involved: for each of the seven sign patterns of lambda
+/// (the triangle is never outside of all lines while it shrinks) the states before and the only
+/// admissible one after. 32 entries, ten up to the names of the lines
 /// (tests/planar_catalogue_test.cpp).
 constexpr std::array<event_list, 8> make_catalogue() {
   std::array<event_list, 8> result{};

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// Which reflex vertices may hit which edges: found window of time by window of time, by overlapping boxes of what they sweep in it.
+/// Which reflex vertices may hit which edges: found window of time by window of time, by
+/// overlapping boxes of what they sweep in it.
 
 #include <algorithm>
 #include <array>
@@ -26,8 +27,9 @@
 
 namespace osteon::plane {
 
-/// Follows vertices and enters their contacts with edges into the schedule. All contacts until the end of the window are in it; a contact whose
-/// elements change counts no more, because what changes is searched for anew.
+/// Follows vertices and enters their contacts with edges into the schedule. All contacts until the
+/// end of the window are in it; a contact whose elements change counts no more, because what
+/// changes is searched for anew.
 template <kernel<2> K, motion_bounds Motion>
 class contact_search {
  public:
@@ -45,14 +47,16 @@ class contact_search {
     step_ = spacing(polygon) / motion_.speed() / 8;
   }
 
-  /// Makes the next window longer, or shorter when the present one ends early because too much happens in it.
+  /// Makes the next window longer, or shorter when the present one ends early because too much
+  /// happens in it.
   void lengthen() { step_ *= 2; }
   void shorten(double end) {
     step_ = std::clamp((end - window_.first) / 2, step_ / 16, step_ / 2);
     window_.last = end;
   }
 
-  /// Opens the next window, which begins at `from`, and searches for all contacts in it. Where none can come any more it lasts until the end.
+  /// Opens the next window, which begins at `from`, and searches for all contacts in it. Where none
+  /// can come any more it lasts until the end.
   void open_window(double from) {
     contacts_ = are_contacts_possible();
     window_ = {from, contacts_ ? std::min(std::max(from, window_.last) + step_, options_.until) : options_.until};
@@ -61,7 +65,8 @@ class contact_search {
     if (contacts_) search_all();
   }
 
-  /// Searches for contacts of what has changed: these edges, vertices that live longer than was known, and the edges at them.
+  /// Searches for contacts of what has changed: these edges, vertices that live longer than was
+  /// known, and the edges at them.
   void watch(const front_change& change) {
     for (const int v : change.vertices) {
       if (tracks_.size() <= static_cast<std::size_t>(v)) tracks_.resize(static_cast<std::size_t>(v) + 1);
@@ -201,7 +206,8 @@ class contact_search {
     return std::min(window_.last, std::min(times_.collapse(vertex.in).last, times_.collapse(vertex.out).last));
   }
 
-  // Between its start and where it may end. Vertices of nearly parallel lines are fast, but do not come far.
+  // Between its start and where it may end. Vertices of nearly parallel lines are fast, but do not
+  // come far.
   box swept(int v) const {
     box b = motion_.swept(tracks_[v].path, window_.first, tracks_[v].known_until);
     const int in = front_.vertices[v].in;
@@ -215,7 +221,8 @@ class contact_search {
     return b;
   }
 
-  // Calls body for pieces of an edge's box: long edges that are not parallel to an axis have boxes that are mostly empty.
+  // Calls body for pieces of an edge's box: long edges that are not parallel to an axis have boxes
+  // that are mostly empty.
   template <class Body>
   void each_box(int e, Body body) const {
     const box& a = tracks_[front_.edges[e].tail].swept;
@@ -245,7 +252,8 @@ class contact_search {
     each_box(e, [&](const box& b) { vertex_boxes_.search(b, [&](int v) { pairs_.push_back({v, e}); }); });
   }
 
-  // Those that the searches have found, together, so that they wait together for what is far in memory.
+  // Those that the searches have found, together, so that they wait together for what is far in
+  // memory.
   void consider_pairs() {
     for (const auto& [v, e] : pairs_) {
       prefetch(front_.vertices[v]);
@@ -268,8 +276,9 @@ class contact_search {
     pairs_.clear();
   }
 
-  // The reflex vertex reaches the line of the edge from inside, on the edge as it is now. Should the edge change, it is looked at again. So it is
-  // when the edge between neighbours changes, which is watched itself.
+  // The reflex vertex reaches the line of the edge from inside, on the edge as it is now. Should
+  // the edge change, it is looked at again. So it is when the edge between neighbours changes,
+  // which is watched itself.
   void consider_contact(int v, int e) {
     if (tracks_[v].contact == e) return;
     const line_id a = front_.line_before(v);
@@ -280,7 +289,8 @@ class contact_search {
     if (when.first > until || when.last < window_.first || are_neighbours(v, e)) return;
     const auto m = times_.coming(q);
     if (!m) return;
-    // The vertex is reflex, so lambda_c is negative where its lines come in the order of the triple.
+    // The vertex is reflex, so lambda_c is negative where its lines come in the order of the
+    // triple.
     if (k_.closing(*m) != ((position(q, a) + 1) % 3 == position(q, b) ? sign::negative : sign::positive)) return;
     if (!contains_point(k_, front_, e, a, b, *m)) return;
     const interval sharp = motion_.sharp_time(q);

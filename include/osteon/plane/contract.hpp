@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// From the raw skeleton of the perturbed polygon to the exact skeleton of the true one (docs/theory/degeneracy.md, docs/theory/plane.md): what has
-/// come together in the limit becomes one, what has vanished goes.
+/// From the raw skeleton of the perturbed polygon to the exact skeleton of the true one
+/// (docs/theory/degeneracy.md, docs/theory/plane.md): what has come together in the limit becomes
+/// one, what has vanished goes.
 
 #include <algorithm>
 #include <array>
@@ -24,8 +25,9 @@ namespace osteon::plane {
 /// The exact skeleton: places where at least three arcs meet, and the polygon's vertices.
 struct contracted_skeleton {
   struct node {
-    int vertex;                     ///< of the polygon, or -1
-    triple lines;                   ///< as of a raw node: that meet here, at a time that the unperturbed kernel knows
+    int vertex;  ///< of the polygon, or -1
+    /// as of a raw node: that meet here, at a time that the unperturbed kernel knows
+    triple lines;
     std::array<line_id, 2> corner;  ///< two of them that cross
   };
   struct arc {
@@ -124,7 +126,8 @@ class contraction {
     }
   }
 
-  // A face that is met an even number of times is on both sides of a stretch, which then does not bound it.
+  // A face that is met an even number of times is on both sides of a stretch, which then does not
+  // bound it.
   void match_sides() {
     sort_sides();
     for (std::size_t i = 0; i < sides_.size();) {
@@ -210,10 +213,10 @@ class contraction {
   std::vector<int> degree_;  // by place
 };
 
-/// Contracts a raw skeleton to the exact one: what has come together in the limit of the perturbation
-/// becomes one, what has vanished goes.
-/// *Requires* the kernel under which the skeleton was computed, or its base, and `boundary::line` of
-/// the polygon.
+/// Contracts a raw skeleton to the exact one: what has come together in the limit of the
+/// perturbation becomes one, what has vanished goes.
+/// *Requires* the kernel under which the skeleton was computed, or its base, and `boundary::line`
+/// of the polygon.
 /// *Throws* unsupported_error where stationary edges on one line face each other.
 /// *Complexity* expected linear, but for sorting what happens at one time on one line.
 template <contracting_kernel<2> K>

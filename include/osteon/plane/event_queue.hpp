@@ -16,7 +16,8 @@
 
 namespace osteon::plane {
 
-/// Three lines that will meet, by what of the wavefront is on them: an edge that vanishes or, with a vertex, is hit by it.
+/// Three lines that will meet, by what of the wavefront is on them: an edge that vanishes or, with
+/// a vertex, is hit by it.
 struct candidate {
   interval when;  ///< contains the time
   int edge;
@@ -24,9 +25,11 @@ struct candidate {
   int arc = -1;  ///< of the vertex, by which it is known later
 };
 
-/// Candidates in order of time. They wait in slices of time, unsorted. A slice that begins is sorted and taken by portions into a heap with their
-/// meetings, which stays small and close at hand. Most comparisons are decided by enclosures of their times; the kernel is asked where these overlap.
-/// Simultaneous meetings, which only unperturbed kernels know, come in the order of their lines.
+/// Candidates in order of time. They wait in slices of time, unsorted. A slice that begins is
+/// sorted and taken by portions into a heap with their meetings, which stays small and close at
+/// hand. Most comparisons are decided by enclosures of their times; the kernel is asked where these
+/// overlap. Simultaneous meetings, which only unperturbed kernels know, come in the order of their
+/// lines.
 template <kernel<2> K>
 class event_queue {
  public:
@@ -40,8 +43,9 @@ class event_queue {
 
   bool empty() const { return heap_.empty() && waiting_ == 0; }
 
-  /// Takes portions until the first event is known. warm(candidates) is told of each, and meet(candidate) gives the meeting, or nothing where the
-  /// candidate is no longer one. Must be called before top() and pop() after every change.
+  /// Takes portions until the first event is known. warm(candidates) is told of each, and
+  /// meet(candidate) gives the meeting, or nothing where the candidate is no longer one. Must be
+  /// called before top() and pop() after every change.
   template <class Prefetch, class Meet>
   void advance(Prefetch prefetch_around, Meet meet) {
     if (!sliced_) slice();
@@ -82,7 +86,8 @@ class event_queue {
     return events_[id];
   }
 
-  /// Before many are pushed: time is cut into slices anew afterwards. Those for which keep(candidate), which may change it, is false are forgotten.
+  /// Before many are pushed: time is cut into slices anew afterwards. Those for which
+  /// keep(candidate), which may change it, is false are forgotten.
   template <class Keep>
   void restart(Keep keep) {
     std::vector<candidate> all;

@@ -19,7 +19,8 @@
 
 namespace osteon::plane {
 
-/// Walks through the nodes of a contracted skeleton. Each arc is passed twice, once each way, and each side of the polygon once.
+/// Walks through the nodes of a contracted skeleton. Each arc is passed twice, once each way, and
+/// each side of the polygon once.
 struct face_loops {
   struct loop {
     int face;                ///< its representative edge; -1: the polygon itself, seen from below
@@ -115,8 +116,8 @@ class face_tracer {
     }
   }
 
-  // The sides of the polygon have the interior on their left; from there on, arcs pass in and out of nodes in turns, and two faces pass an arc in
-  // opposite directions.
+  // The sides of the polygon have the interior on their left; from there on, arcs pass in and out
+  // of nodes in turns, and two faces pass an arc in opposite directions.
   void orient() {
     std::vector<int> waiting;
     for (std::size_t i = 0; i < parts_.size(); ++i)
@@ -224,9 +225,11 @@ class face_tracer {
 
 }  // namespace detail
 
-/// The boundaries of all faces of a bounded skeleton, and of the polygon. `angle(face, node, other)` is asked only where a face touches itself in a
-/// node: a number that grows with the direction from there to another node, counter-clockwise in coordinates of place along the face's line and
-/// time. Throws unsupported_error for a skeleton with unbounded faces, invariant_error where arcs do not fit. Cost: sorting.
+/// The boundaries of all faces of a bounded skeleton, and of the polygon. `angle(face, node,
+/// other)` is asked only where a face touches itself in a node: a number that grows with the
+/// direction from there to another node, counter-clockwise in coordinates of place along the face's
+/// line and time. Throws unsupported_error for a skeleton with unbounded faces, invariant_error
+/// where arcs do not fit. Cost: sorting.
 template <class Angle>
 face_loops trace_faces(const boundary& o, const skeleton& raw, const contracted_skeleton& s, Angle angle) {
   return detail::face_tracer<Angle>(o, raw, s, angle).run();

@@ -17,14 +17,16 @@
 
 namespace osteon::plane {
 
-/// Walks along the wavefront from each of many candidates, for all of them at once: so they wait together.
+/// Walks along the wavefront from each of many candidates, for all of them at once: so they wait
+/// together.
 template <kernel<2> K, motion_bounds Motion>
 class front_prefetch {
  public:
   front_prefetch(const traced_front& traced, const schedule<K, Motion>& times, const contact_search<K, Motion>& contacts)
       : traced_(traced), front_(traced.front), times_(times), contacts_(contacts) {}
 
-  /// Prefetches the elements of these candidates, two neighbours on each side, and the boxes around them.
+  /// Prefetches the elements of these candidates, two neighbours on each side, and the boxes around
+  /// them.
   void operator()(std::span<const candidate> candidates) {
     start(candidates);
     for (const walker& w : walkers_) prefetch(front_.vertices[w.vertex]);

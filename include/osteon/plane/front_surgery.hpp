@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// What an event does to the wavefront: edges end, are cut in two or become one, and are linked anew.
+/// What an event does to the wavefront: edges end, are cut in two or become one, and are
+/// linked anew.
 
 #include <array>
 
@@ -36,7 +37,8 @@ class front_surgery {
  public:
   front_surgery(const K& k, traced_front& traced) : k_(k), traced_(traced), front_(traced.front) {}
 
-  /// Carries out the event of a local state: a node, the ends of arcs, and the beginnings of others.
+  /// Carries out the event of a local state: a node, the ends of arcs, and the beginnings of
+  /// others.
   front_change replace(const local_state& s) {
     const int node = begin_node(s.lines, false);
     if (node > 8 * static_cast<int>(traced_.faces.size())) broken_invariant<K>("there are not more events than edges and vertices");
@@ -61,7 +63,8 @@ class front_surgery {
     return change;
   }
 
-  /// Takes an edge of length zero out of its ring. Where nothing else is left of the ring, the whole ring ends.
+  /// Takes an edge of length zero out of its ring. Where nothing else is left of the ring, the
+  /// whole ring ends.
   front_change remove(int e) {
     const int tail = front_.edges[e].tail;
     const int head = front_.edges[e].head;
@@ -72,7 +75,8 @@ class front_surgery {
     front_.erase(e);
     traced_.end_vertex(tail, node);
     traced_.end_vertex(head, node);
-    if (front_.edges[joined.in].tail == front_.edges[joined.out].head) {  // nothing is left of the ring
+    // nothing is left of the ring
+    if (front_.edges[joined.in].tail == front_.edges[joined.out].head) {
       traced_.end_vertex(front_.edges[joined.in].tail, node);
       front_.erase(joined.in);
       front_.erase(joined.out);
@@ -85,7 +89,8 @@ class front_surgery {
   }
 
  private:
-  // Where two of the three lines meet after the event: the edge that ends there and the one that starts.
+  // Where two of the three lines meet after the event: the edge that ends there and the one that
+  // starts.
   struct joint {
     int in = -1;
     int out = -1;
@@ -125,8 +130,9 @@ class front_surgery {
     if (front_.vertices[v].alive && meets(front_.line_before(v)) && meets(front_.line_after(v))) traced_.end_vertex(v, node);
   }
 
-  // The pieces of line r after the event: its first ray, the segment and its last ray, in the direction of the line, and the joints between them.
-  // Returns an edge that two have become, or -1.
+  // The pieces of line r after the event: its first ray, the segment and its last ray, in the
+  // direction of the line, and the joints between them. Returns an edge that two have become, or
+  // -1.
   int relink(const local_state& s, unsigned r, std::array<joint, 3>& joints) {
     const auto [j, k] = others(r);
     const local::cell last = (s.grows[r][j] ? 1U << j : 0U) | (s.grows[r][k] ? 1U << k : 0U);
@@ -171,7 +177,8 @@ class front_surgery {
     return f;
   }
 
-  // A new vertex gets the number of one that has ended: what is near in the plane stays near in memory.
+  // A new vertex gets the number of one that has ended: what is near in the plane stays near in
+  // memory.
   int join(const joint& c, int node) {
     if (traced_.dead_slots.empty()) {
       traced_.dead_slots.push_back(static_cast<int>(front_.vertices.size()));

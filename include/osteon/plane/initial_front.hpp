@@ -14,7 +14,8 @@
 
 namespace osteon::plane {
 
-/// Builds the wavefront of a polygon at time zero: a node, and an arc that begins there, for each vertex where the boundary turns.
+/// Builds the wavefront of a polygon at time zero: a node, and an arc that begins there, for each
+/// vertex where the boundary turns.
 template <kernel<2> K>
 class initial_front {
  public:
@@ -56,8 +57,9 @@ class initial_front {
     front_.living = n;
   }
 
-  // Of two edges that point in the same direction and meet at a vertex, one runs along the other infinitely fast: the faster one where the
-  // perturbation makes the vertex convex, else the slower one. Edges of one line become one.
+  // Of two edges that point in the same direction and meet at a vertex, one runs along the other
+  // infinitely fast: the faster one where the perturbation makes the vertex convex, else the slower
+  // one. Edges of one line become one.
   void straighten() {
     std::vector<int> waiting(front_.vertices.size());
     for (std::size_t v = 0; v < waiting.size(); ++v) waiting[v] = static_cast<int>(v);
@@ -97,7 +99,8 @@ class initial_front {
     return tail;
   }
 
-  // Whether line a is faster than the parallel line b: with any third line, S = lambda_a (sigma_a - sigma_b).
+  // Whether line a is faster than the parallel line b: with any third line, S = lambda_a (sigma_a -
+  // sigma_b).
   bool is_faster(line_id a, line_id b) const {
     line_id c = 0;
     while (!k_.transversal(a, c)) ++c;

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// The order of edges along their lines, for the certificate: needed to find the edge that is cut, never to trust it.
+/// The order of edges along their lines, for the certificate: needed to find the edge that is
+/// cut, never to trust it.
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +17,8 @@
 
 namespace osteon::plane {
 
-/// The edges of a replayed wavefront by line and by their order on it. Lines with one edge, which are most, cost no tree.
+/// The edges of a replayed wavefront by line and by their order on it. Lines with one edge, which
+/// are most, cost no tree.
 template <kernel<2> K>
 class line_order {
  public:

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// What surrounds a meeting: the state of the catalogue, and the edges of the wavefront that make it up.
+/// What surrounds a meeting: the state of the catalogue, and the edges of the wavefront that
+/// make it up.
 
 #include <array>
 #include <cstddef>
@@ -18,16 +19,20 @@ namespace osteon::plane {
 /// The other two of the numbers 0, 1, 2, ascending.
 constexpr std::array<unsigned, 2> others(unsigned r) { return {r == 0 ? 1U : 0U, r == 2 ? 1U : 2U}; }
 
-/// The wavefront around the point of a meeting just before it. Pieces of lines have labels as in catalogue.hpp.
+/// The wavefront around the point of a meeting just before it. Pieces of lines have labels as in
+/// catalogue.hpp.
 struct local_state {
-  triple lines;                                ///< that meet, ascending
-  local::cell small = 0;                       ///< the cell that vanishes in the meeting
-  const local::event* event = nullptr;         ///< what happens
-  std::array<std::array<int, 8>, 3> edges;     ///< by line and label: the edge that covers the piece, or -1
-  std::array<std::array<bool, 3>, 3> grows{};  ///< by two of the lines: whether the first one leads into the inner side of the second one
+  triple lines;                         ///< that meet, ascending
+  local::cell small = 0;                ///< the cell that vanishes in the meeting
+  const local::event* event = nullptr;  ///< what happens
+  /// by line and label: the edge that covers the piece, or -1
+  std::array<std::array<int, 8>, 3> edges;
+  /// by two of the lines: whether the first one leads into the inner side of the second one
+  std::array<std::array<bool, 3>, 3> grows{};
 };
 
-/// Returns whether the point where the line of edge e meets lines a and b lies on the edge, at the time of their meeting m.
+/// Returns whether the point where the line of edge e meets lines a and b lies on the edge, at the
+/// time of their meeting m.
 template <kernel<2> K>
 bool contains_point(const K& k, const wavefront& front, int e, line_id a, line_id b, const typename K::meeting& m) {
   const auto& edge = front.edges[e];
@@ -45,7 +50,8 @@ class local_reader {
  public:
   local_reader(const K& k, const wavefront& front) : k_(k), front_(front) {}
 
-  /// Returns what surrounds a candidate's meeting m, or nothing where the wavefront has no event there.
+  /// Returns what surrounds a candidate's meeting m, or nothing where the wavefront has no event
+  /// there.
   std::optional<local_state> read(const candidate& c, const typename K::meeting& m) const {
     local_state s{.lines = k_.planes(m), .edges = {}};
     orient(s, k_.closing(m));

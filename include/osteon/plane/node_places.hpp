@@ -26,15 +26,17 @@ struct place {
   std::array<line_id, 2> across;  ///< two lines that cross here
 };
 
-/// The places of a raw skeleton's nodes under the *unperturbed* kernel, whose zeros say what coincides. Places are numbered in order of time; of
-/// those that turn out to be one, the first stands for all.
+/// The places of a raw skeleton's nodes under the *unperturbed* kernel, whose zeros say what
+/// coincides. Places are numbered in order of time; of those that turn out to be one, the first
+/// stands for all.
 template <kernel<2> K>
 class node_places {
  public:
   node_places(const K& k, const skeleton& raw) : k_(k), raw_(raw) {}
 
   /// Finds the places of all nodes.
-  /// *Throws* unsupported_error where stationary edges on one line face each other, invariant_error where nodes are none.
+  /// *Throws* unsupported_error where stationary edges on one line face each other, invariant_error
+  /// where nodes are none.
   /// *Complexity* linear, but for sorting what happens at one moment on one line.
   void find() {
     place_of_.resize(raw_.nodes.size());
@@ -67,7 +69,8 @@ class node_places {
   std::size_t size() const { return places_.size(); }
   /// Returns place p.
   const place& operator[](int p) const { return places_[p]; }
-  /// Returns the place of a node, which stands for all that are one with it, as of the last refresh().
+  /// Returns the place of a node, which stands for all that are one with it, as of the last
+  /// refresh().
   int of_node(std::size_t node) const { return place_of_[node]; }
   /// Returns the place that stands for all that are one with p.
   int find(int p) { return same_.find(p); }
@@ -91,7 +94,8 @@ class node_places {
     return k_.side(l, p.across[0], p.across[1], p.moment < 0 ? *k_.meet(raw_.nodes[p.raw].lines) : moments_[p.moment]);
   }
 
-  /// Returns whether place p comes before q on a line on which both lie, in the direction of the line.
+  /// Returns whether place p comes before q on a line on which both lie, in the direction of the
+  /// line.
   bool comes_first(line_id along, const place& p, const place& q) const {
     for (const line_id x : p.across)
       if (k_.transversal(along, x)) {
@@ -103,7 +107,8 @@ class node_places {
 
  private:
   using meeting = typename K::meeting;
-  static constexpr std::size_t ahead = 16;  // so many nodes before their turn their lines are asked for
+  // so many nodes before their turn their lines are asked for
+  static constexpr std::size_t ahead = 16;
 
   int add(const place& p) {
     places_.push_back(p);

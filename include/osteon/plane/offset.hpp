@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// Offset polygons: the wavefront at any moment, read off the raw skeleton. No coordinates: places are asked for as in the kernel.
+/// Offset polygons: the wavefront at any moment, read off the raw skeleton. No coordinates:
+/// places are asked for as in the kernel.
 
 #include <algorithm>
 #include <array>
@@ -71,8 +72,8 @@ class wavefront_reader {
   line_id line_before(int arc) const { return line_[raw_.arcs[arc].faces[0]]; }
   line_id line_after(int arc) const { return line_[raw_.arcs[arc].faces[1]]; }
 
-  // Nodes are in order of time, so those that are past come first. The lines of a late one may meet always; it follows one that is not late at the
-  // same moment.
+  // Nodes are in order of time, so those that are past come first. The lines of a late one may meet
+  // always; it follows one that is not late at the same moment.
   void find_living() {
     const auto is_past = [&](int n) {
       while (n > 0 && raw_.nodes[n].zero_length) --n;
@@ -126,13 +127,15 @@ class wavefront_reader {
     }
   }
 
-  // Whether one end of an edge comes before another on their line now or, at one place, right after.
+  // Whether one end of an edge comes before another on their line now or, at one place, right
+  // after.
   bool comes_first(const edge_end& a, const edge_end& b) const {
     const line_id along = a.starts ? line_after(a.arc) : line_before(a.arc);
     const line_id x = a.starts ? line_before(a.arc) : line_after(a.arc);
     const line_id y = b.starts ? line_before(b.arc) : line_after(b.arc);
     if (x == y) return false;
-    // The second end against x: L / det(along, y); it lies behind the first one if the line leads into x there: det(along, x) < 0.
+    // The second end against x: L / det(along, y); it lies behind the first one if the line leads
+    // into x there: det(along, x) < 0.
     sign s = at_.level(along, y, x);
     if (s == sign::zero) s = -at_.closing(along, y, x);
     return s * at_.orientation(along, y) * at_.orientation(along, x) == sign::negative;
@@ -176,7 +179,8 @@ class wavefront_reader {
     c.erase(end, c.end());
   }
 
-  // +1 or -1 where the direction passes that of the x-axis to the left or to the right: in all +1 for an outer ring and -1 for a hole.
+  // +1 or -1 where the direction passes that of the x-axis to the left or to the right: in all +1
+  // for an outer ring and -1 for a hole.
   int turns_at(int v) const {
     const line_id a = line_before(v);
     const line_id b = line_after(v);
@@ -225,10 +229,12 @@ class wavefront_reader {
 
 }  // namespace detail
 
-/// The wavefront at a moment. At the moment of an event it is what comes after it, in the limit: edges without length are left out, nothing is left
-/// when all is over. `line_of_edge` is that of the outline. Parts are told apart by the rest of the skeleton; where it is unbounded (held for ever,
-/// or outside of a polygon), rings that it does not join have parts of their own. Throws invariant_error if the skeleton is none of these lines.
-/// Cost: linear in the skeleton, and sorting where a face has several edges; exact questions only about what is alive.
+/// The wavefront at a moment. At the moment of an event it is what comes after it, in the limit:
+/// edges without length are left out, nothing is left when all is over. `line_of_edge` is that of
+/// the outline. Parts are told apart by the rest of the skeleton; where it is unbounded (held for
+/// ever, or outside of a polygon), rings that it does not join have parts of their own. Throws
+/// invariant_error if the skeleton is none of these lines. Cost: linear in the skeleton, and
+/// sorting where a face has several edges; exact questions only about what is alive.
 template <moment_of_lines I>
 wavefront_rings wavefront_at(const skeleton& raw, const std::vector<int>& line_of_edge, const I& at) {
   return detail::wavefront_reader<I>(raw, line_of_edge, at).run();

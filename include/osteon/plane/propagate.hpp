@@ -2,22 +2,29 @@
 #pragma once
 
 /// \file
-/// From the boundary of a polygon to its straight skeleton. One handler serves all events (docs/theory/plane.md).
+/// From the boundary of a polygon to its straight skeleton. One handler serves all events
+/// (docs/theory/plane.md).
 ///
 /// Notation
-///   front      the wavefront: rings of edges on moving lines, the interior on their left (wavefront.hpp)
+///   front      the wavefront: rings of edges on moving lines, the interior on their left
+///   (wavefront.hpp)
 ///   node, arc  what an event, and what a moving vertex leaves behind (skeleton.hpp)
-///   meeting    three lines and the time at which they share a point; only the kernel knows the time
-///   candidate  what of the front is on the lines of a meeting: an edge that vanishes between its neighbours (a collapse), or a reflex vertex and an
-///              edge that it hits (a contact). A candidate whose elements have changed counts no more: what changes is looked at anew
+///   meeting    three lines and the time at which they share a point; only the kernel knows the
+///   time
+///   candidate  what of the front is on the lines of a meeting: an edge that vanishes between its
+///   neighbours (a collapse), or a reflex vertex and an
+///              edge that it hits (a contact). A candidate whose elements have changed counts no
+///              more: what changes is looked at anew
 ///   moment     all meetings that are simultaneous in the limit of the perturbation
 ///   window     a stretch of time for which all contacts are in the schedule
 ///
 /// The rooms
 ///   initial_front      the front at time zero
-///   contact_search     which reflex vertices may hit which edges: windows of time, and boxes of what moves in them
+///   contact_search     which reflex vertices may hit which edges: windows of time, and boxes of
+///   what moves in them
 ///   schedule           when edges collapse, which candidates count, and which is the first
-///   local_state        what surrounds a meeting on the front, and so which event of the catalogue it is
+///   local_state        what surrounds a meeting on the front, and so which event of the catalogue
+///   it is
 ///   front_surgery      carries out the event, and tells which edges have new ends
 ///   zero_length_edges  what collapses at the end of a moment
 
@@ -173,9 +180,10 @@ class propagation {
 };
 
 /// Returns the raw straight skeleton of a polygon's interior.
-/// *Requires* a checked boundary whose lines are the kernel's, in general position for it (perturbed<K>), and bounds that hold for them.
-/// *Throws* unsupported_error where a part of the wavefront stands still for ever, undecided_error where an inexact kernel contradicts itself,
-/// invariant_error where an exact one does.
+/// *Requires* a checked boundary whose lines are the kernel's, in general position for it
+/// (perturbed<K>), and bounds that hold for them.
+/// *Throws* unsupported_error where a part of the wavefront stands still for ever, undecided_error
+/// where an inexact kernel contradicts itself, invariant_error where an exact one does.
 /// *Complexity* O(n log n) in practice for n vertices; memory linear.
 template <kernel<2> K, motion_bounds Motion>
 skeleton straight_skeleton(const K& k, const boundary& polygon, const Motion& motion, const skeleton_options& o = {}) {

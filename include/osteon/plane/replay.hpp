@@ -44,13 +44,15 @@ class replay {
  private:
   using meeting = typename K::meeting;
 
-  // What a line contributes to an event: an edge that comes into the point, one that goes out of it, and one that vanishes.
+  // What a line contributes to an event: an edge that comes into the point, one that goes out of
+  // it, and one that vanishes.
   struct pieces {
     int in = -1;
     int out = -1;
     int gone = -1;
   };
-  // An arc that begins, between an edge that came in and one that goes out; by the numbers of their lines in the node.
+  // An arc that begins, between an edge that came in and one that goes out; by the numbers of their
+  // lines in the node.
   struct link {
     int arc;
     std::size_t in;
@@ -298,7 +300,8 @@ class replay {
   std::vector<typename replayed_front<K>::edge>& edges_;
   line_order<K> order_;
   std::optional<meeting> moment_;  // the last one that has a moment in the limit
-  std::vector<int> shifted_;       // edges of which an end has jumped where an edge without length went
+  // edges of which an end has jumped where an edge without length went
+  std::vector<int> shifted_;
 };
 
 }  // namespace osteon::plane

@@ -56,9 +56,11 @@ class replay_start {
     }
   }
 
-  // Where a boundary is straight there is no vertex. Edges on one line are one; of two on parallel lines one vanishes at once: the slower one
-  // where the perturbation makes the vertex convex, else the faster one (as the event loop documents). Where several do so beside each other
-  // the outcome depends on the order; it is from the last vertex to the first, but the next vertex behind a vanished edge comes at once.
+  // Where a boundary is straight there is no vertex. Edges on one line are one; of two on parallel
+  // lines one vanishes at once: the slower one where the perturbation makes the vertex convex, else
+  // the faster one (as the event loop documents). Where several do so beside each other the outcome
+  // depends on the order; it is from the last vertex to the first, but the next vertex behind a
+  // vanished edge comes at once.
   void straighten() {
     const int n = static_cast<int>(edges_.size());
     head_at_.resize(edges_.size());
@@ -98,7 +100,8 @@ class replay_start {
     }
   }
 
-  // Whether line a is faster than the parallel line b: with any line c across, S = lambda_a (sigma_a - sigma_b), lambda_a = det(n_b, n_c).
+  // Whether line a is faster than the parallel line b: with any line c across, S = lambda_a
+  // (sigma_a - sigma_b), lambda_a = det(n_b, n_c).
   bool is_faster(line_id a, line_id b) {
     if (across_[0] < 0) find_across();
     const line_id c = k_.transversal(a, across_[0]) ? across_[0] : across_[1];

@@ -45,8 +45,9 @@ class coincident_lines {
   disjoint_sets sets_;          // of numbers
 };
 
-/// The ridges of a raw skeleton. The lines of an arc without duration coincide, and with them perhaps others of that moment. A ridge is such a line
-/// with the places on it in their order; places that fall together there become one.
+/// The ridges of a raw skeleton. The lines of an arc without duration coincide, and with them
+/// perhaps others of that moment. A ridge is such a line with the places on it in their order;
+/// places that fall together there become one.
 template <kernel<2> K>
 class ridges {
  public:
@@ -75,7 +76,8 @@ class ridges {
     return from != to && places_[from].moment == places_[to].moment;
   }
 
-  /// Calls body(p, q) for the pieces into which the places on its ridge cut an arc without duration, between two places on it.
+  /// Calls body(p, q) for the pieces into which the places on its ridge cut an arc without
+  /// duration, between two places on it.
   /// *Throws* invariant_error where these are not on the ridge.
   template <class Body>
   void cut(const skeleton::arc& arc, int source, int target, Body body) {

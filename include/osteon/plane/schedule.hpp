@@ -18,8 +18,8 @@
 
 namespace osteon::plane {
 
-/// All candidates for events, and the present time. Edges that vanish later than all windows of time so far are not yet in the queue: most edges have
-/// changed by then.
+/// All candidates for events, and the present time. Edges that vanish later than all windows of
+/// time so far are not yet in the queue: most edges have changed by then.
 template <kernel<2> K, motion_bounds Motion>
 class schedule {
  public:
@@ -32,13 +32,15 @@ class schedule {
   const meeting& now() const { return now_; }
   /// Returns an interval that contains its time.
   const interval& present() const { return present_; }
-  /// Returns when an edge vanishes while its neighbours are what they are; {infinity, infinity}: never.
+  /// Returns when an edge vanishes while its neighbours are what they are; {infinity, infinity}:
+  /// never.
   const interval& collapse(int e) const { return collapse_[e]; }
 
   /// Reserves memory for this number of edges.
   void reserve(std::size_t edges) { collapse_.reserve(edges); }
 
-  /// Determines anew when an edge vanishes. Returns whether it may have length zero at the present time.
+  /// Determines anew when an edge vanishes. Returns whether it may have length zero at the present
+  /// time.
   bool watch(int e) {
     if (collapse_.size() <= static_cast<std::size_t>(e)) collapse_.resize(static_cast<std::size_t>(e) + 1, never);
     collapse_[e] = never;
@@ -83,8 +85,9 @@ class schedule {
     return sorted(triple{front_.line_before(c.vertex), front_.line_after(c.vertex), front_.edges[c.edge].line});
   }
 
-  /// Makes known which candidate is the first; to be called before empty(), first(), first_time() and take() after every change.
-  /// `prefetch_around` is told of candidates that will be handled soon.
+  /// Makes known which candidate is the first; to be called before empty(), first(), first_time()
+  /// and take() after every change. `prefetch_around` is told of candidates that will be handled
+  /// soon.
   template <class Prefetch>
   void advance(Prefetch prefetch_around) {
     queue_.advance(prefetch_around, [this](const candidate& c) { return is_current(c) ? meeting_of(lines_of(c)) : std::nullopt; });
@@ -95,7 +98,8 @@ class schedule {
   const event& first() const { return queue_.top(); }
   /// Returns an interval that contains its time.
   const interval& first_time() const { return queue_.top_time(); }
-  /// Takes the first candidate out of the queue and returns it, or nothing where it does not count any more.
+  /// Takes the first candidate out of the queue and returns it, or nothing where it does not count
+  /// any more.
   std::optional<event> take() {
     event next = queue_.pop();
     const auto& [m, c] = next;
@@ -137,7 +141,8 @@ class schedule {
     return m.has_value();
   }
 
-  // The meeting of three lines, unless it is infinitely late in the limit, which sharp bounds have told before.
+  // The meeting of three lines, unless it is infinitely late in the limit, which sharp bounds have
+  // told before.
   std::optional<meeting> meeting_of(const triple& lines) const {
     auto m = k_.meet(lines);
     if constexpr (limit_kernel<K> && !has_sharp_times<Motion>)

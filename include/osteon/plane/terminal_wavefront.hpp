@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// What a wavefront looks like in the end, when nothing happens to it any more, for the certificate of the outside of polygons. Without edges of
-/// weight zero it goes once around, and counting its turns is enough; with them it is compared edge by edge (docs/theory/plane.md).
+/// What a wavefront looks like in the end, when nothing happens to it any more, for the
+/// certificate of the outside of polygons. Without edges of weight zero it goes once around, and
+/// counting its turns is enough; with them it is compared edge by edge (docs/theory/plane.md).
 
 #include <algorithm>
 #include <cstddef>
@@ -15,8 +16,9 @@
 
 namespace osteon::plane {
 
-/// Rings of edges that never vanish, after all meetings of a perturbed kernel that are not infinitely late. On which side of a line a moving vertex
-/// is then, the meeting of the three lines tells: the distance is linear in time, and S is its slope but for the sign of lambda.
+/// Rings of edges that never vanish, after all meetings of a perturbed kernel that are not
+/// infinitely late. On which side of a line a moving vertex is then, the meeting of the three lines
+/// tells: the distance is linear in time, and S is its slope but for the sign of lambda.
 template <kernel<2> K>
 class terminal_wavefront {
  public:
@@ -29,7 +31,8 @@ class terminal_wavefront {
 
   terminal_wavefront(const K& k, std::vector<edge> edges) : k_(k), edges_(std::move(edges)), some_(some_meeting(k)) {}
 
-  /// Returns whether the edges are one ring that turns right once in all: counts how often its direction passes that of one edge.
+  /// Returns whether the edges are one ring that turns right once in all: counts how often its
+  /// direction passes that of one edge.
   /// *Requires* at least one edge, and none of weight zero.
   /// *Complexity* a few predicates for each edge.
   bool goes_once_around() const {
@@ -50,8 +53,9 @@ class terminal_wavefront {
     return length == edges_.size() && turns == -1;
   }
 
-  /// Returns an edge that touches another one that is not its neighbour, or that has on its left what it should have on its right. Nothing: the edges
-  /// bound, once, what lies on their left, and that is unbounded.
+  /// Returns an edge that touches another one that is not its neighbour, or that has on its left
+  /// what it should have on its right. Nothing: the edges bound, once, what lies on their left, and
+  /// that is unbounded.
   /// *Complexity* a few predicates for each pair of an edge and a vertex.
   std::optional<int> find_crossing() const {
     std::vector<bool> seen(edges_.size());
@@ -82,7 +86,8 @@ class terminal_wavefront {
     return -(k_.closing(*m) * lambda(k_, q, position(q, c)));
   }
 
-  // Any that has a moment. The lines of a polygon do not all move as one body, unless they do not move.
+  // Any that has a moment. The lines of a polygon do not all move as one body, unless they do not
+  // move.
   static typename K::meeting some_meeting(const K& k) {
     line_id b = 1;
     while (b + 1 < k.size() && !k.transversal(0, b)) ++b;
@@ -97,7 +102,8 @@ class terminal_wavefront {
     return true;
   }
 
-  // Where the point of lines l and y lies in the end, seen in the direction of l from that of l and x.
+  // Where the point of lines l and y lies in the end, seen in the direction of l from that of l and
+  // x.
   sign is_beyond(line_id l, line_id x, line_id y) const { return -(k_.orientation(l, x) * side(x, l, y)); }
 
   bool is_never(const typename K::meeting& m) const {
@@ -117,7 +123,8 @@ class terminal_wavefront {
     return is_beyond(l, tail_of(e), y) != sign::negative && is_beyond(l, y, head_of(e)) != sign::negative;
   }
 
-  // How edge f turns around a point on the left of edge e: whether, and to which side, it passes what follows e straight on, a little to the left.
+  // How edge f turns around a point on the left of edge e: whether, and to which side, it passes
+  // what follows e straight on, a little to the left.
   int passes(int e, int f) const {
     const line_id l = edges_[e].line;
     const line_id y = edges_[f].line;

@@ -2,29 +2,37 @@
 #pragma once
 
 /// \file
-/// The certificate of a skeleton in the plane (docs/theory/plane.md). It repeats no search and shares no code with the event loop: it replays the
-/// events that the skeleton claims, from the polygon and the skeleton alone.
+/// The certificate of a skeleton in the plane (docs/theory/plane.md). It repeats no search
+/// and shares no code with the event loop: it replays the events that the skeleton claims, from the
+/// polygon and the skeleton alone.
 ///
-/// Why no search for contacts is needed. The replay shows that at every time t the wavefront W(t) is a cycle of edges on their lines, that it
-/// changes continuously (at an event edges are linked anew in the one point in which they end), that no edge ever has a negative length, and that
-/// in the end nothing is left. Let w(x,t) be the winding number of W(t) around a point x. It changes only where an edge passes x; an edge of
-/// positive length that moves to its left lowers it by one. So w falls, from w(x,0), one inside of the polygon and zero outside, to zero: every
-/// point inside is passed once, every point outside never. Hence
-///  - the faces, which the edges sweep, cover the polygon once;
-///  - w is 0 or 1 at all times, so W(t) never crosses itself (where two edges cross, w takes three values). A contact that was missed, or a
-///    split that did not happen, would let it cross itself.
-/// What W(t) does is then forced: at an event in general position two of the ways to link the edges in the point are without crossings, what was
-/// before and what must come (catalogue.hpp enumerates them), and the replay demands a change.
+/// Why no search for contacts is needed. The replay shows that at every time t the wavefront W(t)
+/// is a cycle of edges on their lines, that it changes continuously (at an event edges are linked
+/// anew in the one point in which they end), that no edge ever has a negative length, and that in
+/// the end nothing is left. Let w(x,t) be the winding number of W(t) around a point x. It changes
+/// only where an edge passes x; an edge of positive length that moves to its left lowers it by one.
+/// So w falls, from w(x,0), one inside of the polygon and zero outside, to zero: every point inside
+/// is passed once, every point outside never. Hence - the faces, which the edges sweep, cover the
+/// polygon once; - w is 0 or 1 at all times, so W(t) never crosses itself (where two edges cross, w
+/// takes three values). A contact that was missed, or a
+///    split that did not happen, would let it cross itself. What W(t) does is then forced: at an
+///    event in general position two of the ways to link the edges in the point are without
+///    crossings, what was before and what must come (catalogue.hpp enumerates them), and the replay
+///    demands a change.
 ///
-/// An edge's length is a linear function of time while its neighbours are the same. So it is enough to look at it when one of its ends changes.
+/// An edge's length is a linear function of time while its neighbours are the same. So it is enough
+/// to look at it when one of its ends changes.
 ///
-/// Some nodes are of zero length (skeleton::node): an edge goes whose length is zero in the limit only. There W jumps, but by something infinitely
-/// small; that edges keep a positive length is shown anew for its neighbours. What is said above then holds in the limit.
+/// Some nodes are of zero length (skeleton::node): an edge goes whose length is zero in the limit
+/// only. There W jumps, but by something infinitely small; that edges keep a positive length is
+/// shown anew for its neighbours. What is said above then holds in the limit.
 ///
-/// Outside of a polygon w falls from 0 to -1 and the wavefront goes on for ever. Far away, its edges are tangents around one point that lies on
-/// their right; so w ends at minus the number of turns that the wavefront makes, and one turn is what must be left. Edges of weight zero are no such
-/// tangents, and several rings may be left; then that they do not cross and how often they go around is shown pair by pair (terminal_wavefront.hpp).
-/// What happens infinitely late in the limit (edges of one direction and one speed are neighbours then) is no event of the skeleton.
+/// Outside of a polygon w falls from 0 to -1 and the wavefront goes on for ever. Far away, its
+/// edges are tangents around one point that lies on their right; so w ends at minus the number of
+/// turns that the wavefront makes, and one turn is what must be left. Edges of weight zero are no
+/// such tangents, and several rings may be left; then that they do not cross and how often they go
+/// around is shown pair by pair (terminal_wavefront.hpp). What happens infinitely late in the limit
+/// (edges of one direction and one speed are neighbours then) is no event of the skeleton.
 
 #include <algorithm>
 #include <array>
@@ -148,10 +156,12 @@ class verifier {
   replayed_front<K> front_;
 };
 
-/// Certifies a raw skeleton of a checked polygon, or refutes it: returns the first broken rule, or nothing. With `outside` the interior is not
-/// bounded (see make_polygon), and what never ends is checked too; `stationary` tells that edges of weight zero may be among it. No skeleton, however
-/// wrong, does harm. *Requires* a perturbed kernel with the polygon's lines. *Complexity* O(n log n), about ten predicates for each event; with
-/// `outside` and `stationary` quadratic in the number of edges that never vanish. Memory linear.
+/// Certifies a raw skeleton of a checked polygon, or refutes it: returns the first broken rule, or
+/// nothing. With `outside` the interior is not bounded (see make_polygon), and what never ends is
+/// checked too; `stationary` tells that edges of weight zero may be among it. No skeleton, however
+/// wrong, does harm. *Requires* a perturbed kernel with the polygon's lines. *Complexity* O(n log
+/// n), about ten predicates for each event; with `outside` and `stationary` quadratic in the number
+/// of edges that never vanish. Memory linear.
 template <kernel<2> K>
 std::optional<refutation> verify(const K& k, const boundary& polygon, const skeleton& raw, bool outside = false, bool stationary = false) {
   return verifier<K>(k, polygon, raw, outside, stationary).run();

@@ -23,7 +23,8 @@
 
 namespace osteon::plane {
 
-/// Checks a contracted skeleton against a certified raw one, under the kernel below the perturbation.
+/// Checks a contracted skeleton against a certified raw one, under the kernel below the
+/// perturbation.
 template <kernel<2> K>
 class contraction_verifier {
  public:
@@ -84,7 +85,8 @@ class contraction_verifier {
     return std::find(n.lines.begin(), n.lines.end(), l) != n.lines.end() || k_.side(l, n.corner[0], n.corner[1], when_[node]) == sign::zero;
   }
 
-  // Arcs run between different places, forwards or along a ridge, and both ends lie on the lines of both faces.
+  // Arcs run between different places, forwards or along a ridge, and both ends lie on the lines of
+  // both faces.
   void check_arcs() {
     using certificate::exists;
     std::vector<bool> seen(raw_.faces.size());
@@ -136,14 +138,16 @@ class contraction_verifier {
     demand(found == expected && found == s_.vertices, rule::start, "vertices", found, "have an arc, and others should");
   }
 
-  // An end of an arc at an inner node, and one of the faces beside it. Ends are numbered: 2 a is the source of arc a, 2 a + 1 its target.
+  // An end of an arc at an inner node, and one of the faces beside it. Ends are numbered: 2 a is
+  // the source of arc a, 2 a + 1 its target.
   struct side {
     int node;
     int face;
     int end;
   };
 
-  // Around every inner node there are at least three arcs, and their faces are one round: each face lies between two arcs, or four, ...
+  // Around every inner node there are at least three arcs, and their faces are one round: each face
+  // lies between two arcs, or four, ...
   void check_links() const {
     std::vector<side> sides;
     for (int a = 0; a < static_cast<int>(s_.arcs.size()); ++a)
@@ -197,8 +201,9 @@ class contraction_verifier {
   int faces_ = 0;  // that arcs name
 };
 
-/// Certifies a contracted skeleton, or refutes it. `k` is the kernel below the perturbation; `raw` must have been certified. It is looked at
-/// by itself first (places, times, faces around each node) and then compared with what contraction makes of the raw skeleton. Expected linear time,
+/// Certifies a contracted skeleton, or refutes it. `k` is the kernel below the perturbation; `raw`
+/// must have been certified. It is looked at by itself first (places, times, faces around each
+/// node) and then compared with what contraction makes of the raw skeleton. Expected linear time,
 /// but for sorting.
 template <kernel<2> K>
 std::optional<refutation> verify_contraction(const K& k, const boundary& polygon, const skeleton& raw, const contracted_skeleton& contracted) {

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// The moving polygon: edges on lines, vertices between them, and the order of the edges on each line.
+/// The moving polygon: edges on lines, vertices between them, and the order of the edges on
+/// each line.
 
 #include <optional>
 #include <utility>
@@ -12,16 +13,19 @@
 
 namespace osteon::plane {
 
-/// Rings of edges, the interior on their left. Dead elements keep their numbers until the next renumbering.
+/// Rings of edges, the interior on their left. Dead elements keep their numbers until the next
+/// renumbering.
 struct wavefront {
   /// An edge, which moves with its line.
   struct edge {
     line_id line;
-    int tail;      ///< vertex where it starts, in the direction that has the interior on the left
-    int head;      ///< vertex where it ends
-    int face;      ///< an edge of the polygon, whose face this edge sweeps
-    int previous;  ///< edge behind it on its line, or -1. Edges of one line never overlap, so their order never changes
-    int next;      ///< edge before it on its line, or -1
+    int tail;  ///< vertex where it starts, in the direction that has the interior on the left
+    int head;  ///< vertex where it ends
+    int face;  ///< an edge of the polygon, whose face this edge sweeps
+    /// edge behind it on its line, or -1. Edges of one line never overlap, so their order never
+    /// changes
+    int previous;
+    int next;  ///< edge before it on its line, or -1
     bool alive;
   };
   /// A vertex, which moves with the intersection of two lines.
@@ -46,7 +50,8 @@ struct wavefront {
   line_id tail_line(int e) const { return line_before(edges[e].tail); }
   /// Returns the line of the edge that starts where edge e ends.
   line_id head_line(int e) const { return line_after(edges[e].head); }
-  /// Returns the lines of an edge and of its two neighbours, ascending. Where they meet next, the edge vanishes.
+  /// Returns the lines of an edge and of its two neighbours, ascending. Where they meet next, the
+  /// edge vanishes.
   triple lines_around(int e) const { return sorted(triple{tail_line(e), edges[e].line, head_line(e)}); }
 
   /// Marks a living edge as dead and takes it out of its line. Its ring is left to the caller.
@@ -70,9 +75,10 @@ struct wavefront {
     std::vector<int> edges;
     std::vector<int> vertices;
   };
-  /// Numbers the living elements along their rings, so that neighbours are near in memory, and each vertex as the edge that starts there; forgets the
-  /// dead ones. Returns the new numbers, or nothing where a ring is not closed, which decisions that contradict each other can bring about; the
-  /// wavefront is then as it was.
+  /// Numbers the living elements along their rings, so that neighbours are near in memory, and each
+  /// vertex as the edge that starts there; forgets the dead ones. Returns the new numbers, or
+  /// nothing where a ring is not closed, which decisions that contradict each other can bring
+  /// about; the wavefront is then as it was.
   /// *Complexity* linear in the number of elements, dead ones included.
   std::optional<numbering> renumber() {
     numbering now{std::vector<int>(edges.size(), -1), std::vector<int>(vertices.size(), -1)};

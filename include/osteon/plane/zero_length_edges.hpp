@@ -2,9 +2,11 @@
 #pragma once
 
 /// \file
-/// Edges whose length is zero in the limit of the perturbation. Where two reflex vertices meet, the edges between them vanish together; perturbed,
-/// one goes first and another one, of length zero in the limit, would grow again. The skeleton is discontinuous there, and by its definition edges of
-/// length zero go (AAAG95, 2). So they do at the end of each moment: what that changes is infinitely small.
+/// Edges whose length is zero in the limit of the perturbation. Where two reflex vertices
+/// meet, the edges between them vanish together; perturbed, one goes first and another one, of
+/// length zero in the limit, would grow again. The skeleton is discontinuous there, and by its
+/// definition edges of length zero go (AAAG95, 2). So they do at the end of each moment: what that
+/// changes is infinitely small.
 
 #include <cstddef>
 #include <vector>
@@ -15,8 +17,9 @@
 
 namespace osteon::plane {
 
-/// Collects edges that may have length zero at the present moment, and lets them collapse at its end. A moment is all meetings that are simultaneous
-/// in the limit. Kernels that know no limit have no such edges.
+/// Collects edges that may have length zero at the present moment, and lets them collapse at its
+/// end. A moment is all meetings that are simultaneous in the limit. Kernels that know no limit
+/// have no such edges.
 template <kernel<2> K>
 class zero_length_edges {
  public:
@@ -46,8 +49,9 @@ class zero_length_edges {
     return true;
   }
 
-  /// Calls remove(edge) for each living edge of length zero, which may call note(); then notes the arcs that pass through nodes on their way, and
-  /// forgets all that was remembered. Returns whether an edge had length zero.
+  /// Calls remove(edge) for each living edge of length zero, which may call note(); then notes the
+  /// arcs that pass through nodes on their way, and forgets all that was remembered. Returns
+  /// whether an edge had length zero.
   template <class Remove>
   bool collapse(Remove remove) {
     bool any = false;
@@ -82,7 +86,8 @@ class zero_length_edges {
     return k_.transversal(t, h) && k_.transversal(line, h) && k_.touches(h, t, line, moment_);
   }
 
-  // An edge of length zero that became part of another one at a node: the arc of that edge's end passes through the node in the limit.
+  // An edge of length zero that became part of another one at a node: the arc of that edge's end
+  // passes through the node in the limit.
   void trace_interior_node(const merged_edge& m) requires limit_kernel<K> {
     const auto& e = front_.edges[m.edge];
     if (!e.alive) return;

@@ -176,10 +176,12 @@ class contact_search {
   meeting now_;
   std::priority_queue<meeting, std::vector<meeting>, later> queue_;
   std::unordered_set<quadruple, plane_hash> considered_;
-  std::vector<std::optional<meeting>> collapse_;                      // by edge
-  std::vector<std::optional<std::optional<meeting>>> watched_until_;  // by vertex; inner nothing: for ever
-  std::vector<int> reflex_;                                           // edges
-  std::vector<bool> listed_;                                          // by edge: in that list, now or once
+  std::vector<std::optional<meeting>> collapse_;  // by edge
+  // by vertex; inner nothing: for ever
+  std::vector<std::optional<std::optional<meeting>>> watched_until_;
+  std::vector<int> reflex_;  // edges
+  // by edge: in that list, now or once
+  std::vector<bool> listed_;
 };
 
 }  // namespace osteon

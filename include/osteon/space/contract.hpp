@@ -92,7 +92,8 @@ class contraction {
     for (const auto& s : raw_.sheets)
       if (s.input_edge >= 0) {
         const auto& e = solid_.edges[s.input_edge];
-        floors[s.representative].emplace_back(e.ends[0], e.ends[1]);  // vertices come first among nodes and points
+        // vertices come first among nodes and points
+        floors[s.representative].emplace_back(e.ends[0], e.ends[1]);
       }
     for (const auto& [polygon, stretches] : borders)
       for (auto& part : connected_parts(polygon, stretches, floors[polygon])) {

@@ -28,7 +28,8 @@ namespace osteon {
 /// What part of a facet's border has done, read from one of its ends.
 struct border_progress {
   int turns;  ///< how often it passed its first direction
-  int phase;  ///< 0: its edges are reflex; 1: with convex ones behind them; 2: with reflex ones behind these
+  /// 0: its edges are reflex; 1: with convex ones behind them; 2: with reflex ones behind these
+  int phase;
 
   friend bool operator==(const border_progress&, const border_progress&) = default;
   friend bool operator<(const border_progress& x, const border_progress& y) { return std::tie(x.turns, x.phase) < std::tie(y.turns, y.phase); }

@@ -33,7 +33,8 @@ class limit_points {
   /// A point in space at a moment.
   struct point {
     std::optional<meeting> moment;  ///< none: time zero
-    triple planes;                  ///< that meet only in the point; of a vertex of the solid any three of its planes
+    /// that meet only in the point; of a vertex of the solid any three of its planes
+    triple planes;
   };
 
   /// Finds the points.

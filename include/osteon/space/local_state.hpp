@@ -22,10 +22,11 @@ namespace osteon {
 
 /// The wavefront around a meeting point, just before the event.
 struct local_state {
-  quadruple planes;                         ///< that meet, ascending
-  local::cell small;                        ///< the cell that vanishes
-  std::array<std::array<int, 3>, 6> edges;  ///< by pair of planes and section of their line: the edge there, or -1
-  const local::event* event;                ///< in the catalogue
+  quadruple planes;   ///< that meet, ascending
+  local::cell small;  ///< the cell that vanishes
+  /// by pair of planes and section of their line: the edge there, or -1
+  std::array<std::array<int, 3>, 6> edges;
+  const local::event* event;  ///< in the catalogue
 };
 
 /// Reads local states off a wavefront. A meeting whose local state is not there is no event, now or

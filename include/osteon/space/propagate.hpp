@@ -86,7 +86,8 @@ class propagation {
       if (p < 0) broken_invariant<K>("a saddle makes an edge");
       return k_.bisector(s.planes[local::pairs[p].i], s.planes[local::pairs[p].j]);
     };
-    const sign order = k_.compare(edge(true), edge(false));  // of the convex against the reflex edge
+    // of the convex against the reflex edge
+    const sign order = k_.compare(edge(true), edge(false));
     return options_.saddle == saddle_rule::slower ? order != sign::positive : order == sign::positive;
   }
 

@@ -20,8 +20,9 @@ namespace osteon {
 struct skeleton {
   /// A vertex of the solid, or an event.
   struct node {
-    int vertex;         ///< the input vertex, or -1
-    quadruple planes;   ///< the planes that meet, ascending; of an input vertex the first three of its corner and -1
+    int vertex;  ///< the input vertex, or -1
+    /// the planes that meet, ascending; of an input vertex the first three of its corner and -1
+    quadruple planes;
     event_class event;  ///< of an event; meaningless for an input vertex
     bool ambiguous;     ///< the event had two admissible outcomes
     std::vector<int> arcs;

@@ -112,7 +112,8 @@ class splitter {
     const K& k = signs_.kernel();
     if (e.planes[0] == l || e.planes[1] == l || e.third[0] == l || e.third[1] == l) return false;
     if (!signs_.meet(e.planes[0], e.planes[1], l) || !on_segment(k, e, l, signs_.start())) return false;
-    for (const segment& b : facet)  // does it meet an edge of the facet that lies in one of its own two facets?
+    // does it meet an edge of the facet that lies in one of its own two facets?
+    for (const segment& b : facet)
       for (const int s : {0, 1})
         if (b.other(l) == e.planes[s] && on_segment(k, b, e.planes[1 - s], signs_.start())) return true;
     return in_facet(l, facet, e.planes[0], e.planes[1]);
@@ -135,7 +136,8 @@ class splitter {
     for (std::size_t at = 0; at < n; ++at) {
       if (facets[at] != l) continue;
       const std::size_t before = (at + n - 1) % n;
-      if (!k.transversal(facets[before], l, facets[(at + 1) % n])) continue;  // half a turn, or none at all
+      // half a turn, or none at all
+      if (!k.transversal(facets[before], l, facets[(at + 1) % n])) continue;
       const bool up = k.orientation(facets[before], l, facets[(at + 1) % n]) == sign::positive;
       if ((convex[at] == up) != convex[before]) return true;
     }

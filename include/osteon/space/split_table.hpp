@@ -52,7 +52,8 @@ class split_table {
   /// To choose a tree below (i,j).
   struct task {
     int i, j;
-    int above;  ///< the third facet of the triangle above, where the edge (i,j) ends there; root or joint
+    /// the third facet of the triangle above, where the edge (i,j) ends there; root or joint
+    int above;
     int level;  ///< at which the triangle above was chosen
     int end;    ///< below a joint
     borders_below below;
@@ -63,7 +64,8 @@ class split_table {
     int apex, end;
     borders_below below;
     summary left, right;
-    bool inner_edge;  ///< i and j share a plane, and the edge that turns round between them at the apex has two ends
+    /// i and j share a plane, and the edge that turns round between them at the apex has two ends
+    bool inner_edge;
     Count count;
   };
 

@@ -33,7 +33,8 @@ struct split_edge {
 
 /// A tree (a forest where facets of one plane join).
 struct split_tree {
-  std::vector<std::pair<int, int>> operations;   ///< <a,b> of the thesis, ascending: the triangulation's diagonals
+  /// <a,b> of the thesis, ascending: the triangulation's diagonals
+  std::vector<std::pair<int, int>> operations;
   std::vector<std::array<int, 3>> vertices;      ///< three facets each, counter-clockwise
   std::vector<std::array<int, 3>> vertex_edges;  ///< edges[r] of a vertex lies opposite its facet r
   std::vector<split_edge> edges;

@@ -140,7 +140,8 @@ class link_check {
     std::array<int, 4> sheet = {-1, -1, -1, -1};
     std::array<bool, 4> open{};  // no arc between this quadrant and the next
     for (unsigned d = 0; d < 4; ++d) {
-      const bool crosses_k = d % 2 == 0;  // the ray between lies on plane k and has one side of l, or the other way round
+      // the ray between lies on plane k and has one side of l, or the other way round
+      const bool crosses_k = d % 2 == 0;
       const unsigned on = crosses_k ? k : l;
       const unsigned omitted = crosses_k ? l : k;
       const int a = at.arc(omitted, crosses_k ? around[d].in_l : around[d].in_k);

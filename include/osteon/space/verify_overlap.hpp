@@ -35,18 +35,21 @@ class overlap_check {
   /// where the kernel answers zero.
   /// *Complexity* about the sum over cells of the squared number of their sheets.
   void run() {
-    std::map<std::array<plane_id, 2>, std::vector<int>> borders;  // arcs on the borders of the sheets of two facets
+    // arcs on the borders of the sheets of two facets
+    std::map<std::array<plane_id, 2>, std::vector<int>> borders;
     for (int a = 0; a < static_cast<int>(s_.arcs.size()); ++a)
       for (unsigned t = 0; t < 3; ++t) borders[omit(s_.arcs[a].planes, t)].push_back(a);
     std::vector<std::vector<plane_id>> neighbours(solid_.planes);
     for (const auto& [pair, arcs] : borders)
       for (const int side : {0, 1}) neighbours[pair[side]].push_back(pair[1 - side]);
-    std::map<triple, std::vector<std::vector<period>>> inside;  // by line; one list for each pair with sheets there
+    // by line; one list for each pair with sheets there
+    std::map<triple, std::vector<std::vector<period>>> inside;
     for (plane_id k = 0; k < solid_.planes; ++k) {
       height_of_node_.assign(s_.nodes.size(), unknown);
       for (const plane_id i : neighbours[k])
         for (const plane_id j : neighbours[i]) {
-          if (j == k || (i > j && std::binary_search(neighbours[k].begin(), neighbours[k].end(), j))) continue;  // seen from j
+          // seen from j
+          if (j == k || (i > j && std::binary_search(neighbours[k].begin(), neighbours[k].end(), j))) continue;
           const std::array<plane_id, 2> pair = {std::min(i, j), std::max(i, j)};
           auto within = periods_inside(borders[pair], pair, k);
           if (!within.empty()) inside[sorted(triple{i, j, k})].push_back(std::move(within));

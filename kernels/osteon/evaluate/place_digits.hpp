@@ -197,7 +197,8 @@ class place_digits {
       const auto [a, a_error] = scaled(p, precision);
       const auto [b, b_error] = scaled(q, precision);
       if (b <= b_error) continue;
-      const integer least = (a > a_error ? integer(a - a_error) : integer(0)) / (b + b_error);  // rounded down
+      // rounded down
+      const integer least = (a > a_error ? integer(a - a_error) : integer(0)) / (b + b_error);
       const integer most = (a + a_error) / (b - b_error);
       if (most - least > 1) continue;
       const integer odd = most % 2 == 0 ? integer(most - 1) : most;

@@ -145,7 +145,8 @@ struct solid_surface {
     std::vector<int> corners;
     plane_id plane;
   };
-  std::vector<std::array<rational, 3>> points;  ///< in the units of the planes' integers, within 2^-64; exact where the speeds are rational
+  /// in the units of the planes' integers, within 2^-64; exact where the speeds are rational
+  std::vector<std::array<rational, 3>> points;
   std::vector<facet> facets;
 };
 
