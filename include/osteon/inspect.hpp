@@ -45,6 +45,7 @@ struct spherical_picture {
     bool front;
     std::vector<vector> points;  ///< along a great circle
   };
+  /// An arc of the spherical skeleton, between the parts of two facets.
   struct arc {
     /// around the vertex; the second is -1 for a side of the spherical polygon
     std::array<int, 2> facets;
@@ -104,6 +105,7 @@ class vertex_splits {
 
 /// How many skeletons a solid may have.
 struct ambiguity {
+  /// A vertex that can be split in several ways.
   struct vertex {
     int point;  ///< of the input
     int degree;
@@ -175,7 +177,7 @@ struct predicate_statistics {
 /// Computes a raw skeleton and counts. *Requires* an exact kernel. *Throws* as skeletonize, and
 /// unsupported_error for number_kernel::floating.
 predicate_statistics count_predicates(const polyhedron& p, const polyhedron_options& options = {});
-/// The same for a polygon, with a run to the end.
+/// Does the same for a polygon, with a run to the end.
 predicate_statistics count_predicates(const polygon& p, const polygon_options& options = {});
 
 }  // namespace osteon::inspect

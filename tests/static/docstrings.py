@@ -8,8 +8,10 @@
 
 Public are, in include and kernels: types, functions, templates, concepts, aliases and constants of namespaces (but not of `detail`), and the public
 members of public classes. A docstring is a comment `///` right above, or `///<` behind on the line. One docstring speaks for overloads that follow each
-other without an empty line. Needing none: what is forward-declared, defaulted or deleted, enumerators, specialisations, and definitions outside of
-their class. The docstring of a function begins with a verb in the third person ("Returns whether ..."). Comment lines end at column 100.
+other without an empty line, and for a group: a docstring, `///@{`, declarations, `///@}`. The docstring of a class speaks for its data members,
+aliases, constructors, operators, and for begin, end, size and empty, but not for calls. Needing none: what is forward-declared, defaulted or deleted, enumerators, specialisations, and
+definitions outside of their class. The docstring of a function that is no constructor begins with a verb in the third person
+("Returns whether ..."). Comment lines end at column 100.
 """
 import argparse
 import collections
@@ -26,6 +28,8 @@ NARROW = ("include", "kernels", "src", "apps", "examples")
 WIDTH = 100
 NOT_PUBLIC = {"detail", "internal"}
 KINDS = {"class": "class", "enum": "enumeration", "function": "function", "friend": "function", "variable": "variable", "alias": "alias", "concept": "concept"}
+# What every container has.
+CONTAINER = {"begin", "end", "size", "empty"}
 # Words in -s that are no verbs in the third person.
 NO_VERBS = {"this", "its", "thus", "always", "as", "less", "plus", "minus", "besides", "afterwards", "perhaps", "unless", "across", "towards", "inwards", "outwards",
             "his", "theirs", "yes", "points", "edges", "lines", "planes", "vertices", "facets", "faces", "nodes", "arcs", "sheets", "cells", "rings", "coordinates",
@@ -40,7 +44,7 @@ def docstring_of(lines, first, last):
     """Returns the docstring of a declaration on lines first .. last (from 1), or None."""
     above = []
     number = first - 2
-    while number >= 0 and lines[number].lstrip().startswith("///") and not lines[number].lstrip().startswith("///<"):
+    while number >= 0 and lines[number].lstrip().startswith("///") and not lines[number].lstrip().startswith(("///<", "///@")):
         above.insert(0, lines[number].strip()[3:].strip())
         number -= 1
     if above and not above[0].startswith("\\file"):
@@ -53,8 +57,8 @@ def docstring_of(lines, first, last):
 
 def begins_with_verb(docstring):
     """Returns whether the first word looks like a verb in the third person."""
-    found = re.match(r"[A-Za-z]+", docstring)
-    return bool(found) and found.group().lower().endswith("s") and found.group().lower() not in NO_VERBS
+    found = re.match(r"([A-Za-z]+) ?(the |an? |all |each |its )?", docstring)
+    return bool(found) and found.group(1).lower().endswith("s") and (bool(found.group(2)) or found.group(1).lower() not in NO_VERBS)
 
 
 def is_public(declaration):
@@ -66,9 +70,34 @@ def is_public(declaration):
     return "" not in declaration.scope and "::" not in declaration.name
 
 
+def is_spoken_for(declaration):
+    """Returns whether the docstring of its class speaks for a member."""
+    if not declaration.scope or declaration.depth == "namespace":
+        return False
+    name = declaration.name
+    if declaration.kind in ("variable", "alias") or name in CONTAINER:
+        return True
+    is_constructor = name == declaration.scope[-1].split("::")[-1] or name.startswith("~")
+    return is_constructor or (name.startswith("operator") and name.replace(" ", "") != "operator()")
+
+
+def grouped_lines(lines):
+    """Returns the numbers of the lines in groups, from 1."""
+    inside, found = False, set()
+    for number, line in enumerate(lines, 1):
+        if line.strip() == "///@{":
+            inside = lines[number - 2].lstrip().startswith("/// ")
+        elif line.strip() == "///@}":
+            inside = False
+        elif inside:
+            found.add(number)
+    return found
+
+
 def undocumented(name, text):
     """Yields the breaches of one header."""
     lines = text.splitlines()
+    grouped = grouped_lines(lines)
     numbers = cpp_source.Lines(text)
     before = None  # (name, scope, last line) of the declaration before, if it has a docstring
     for declaration in cpp_source.declarations(text):
@@ -89,9 +118,11 @@ def undocumented(name, text):
             continue
         before = (declaration.name, declaration.scope, last) if docstring is not None else None
         kind = KINDS[declaration.kind]
+        if docstring is None and (first in grouped or is_spoken_for(declaration)):
+            continue
         if docstring is None:
             yield Breach(name, first, "no docstring", f"the {kind} {declaration.qualified()} has no docstring")
-        elif kind == "function" and not begins_with_verb(docstring):
+        elif kind == "function" and not is_spoken_for(declaration) and not begins_with_verb(docstring):
             yield Breach(name, first, "no verb", f"the docstring of {declaration.qualified()} does not begin with a verb: {docstring[:40]}")
 
 
@@ -114,16 +145,18 @@ def breaches(root):
 PLANTED = [
     ("a function", "int f();", 1), ("a template", "template <class T>\nint f(T t) { return t; }", 1), ("a class", "struct s {};", 1), ("an alias", "using t = int;", 1),
     ("a constant", "inline constexpr int c = 3;", 1), ("a concept", "template <class T>\nconcept c = requires(T t) { t.f(); };", 1), ("an enumeration", "enum class e { a, b };", 1),
-    ("a member function", "/// A class.\nclass s {\n public:\n  int f() const { return 1; }\n};", 1), ("a data member", "/// A class.\nstruct s {\n  int x;\n};", 1),
-    ("a constructor", "/// A class.\nclass s {\n public:\n  explicit s(int x) : x_{x} {}\n\n private:\n  int x_;\n};", 1),
+    ("a member function", "/// A class.\nclass s {\n public:\n  int f() const { return 1; }\n};", 1), ("a group without a docstring", "///@{\nint f();\n///@}", 1),
+    ("behind a group", "/// Return numbers.\n///@{\nint f();\n///@}\n\nint g();", 1),
     ("a nested class", "/// A class.\nstruct s {\n  struct t {};\n};", 1), ("an operator", "/// A class.\nstruct s {\n  bool operator()(int x) const { return x > 0; }\n};", 1),
-    ("a hidden friend", "/// A class.\nclass s {\n  friend bool operator<(const s&, const s&) { return false; }\n public:\n  friend bool f(const s&) { return false; }\n};", 1),
+    ("a hidden friend", "/// A class.\nclass s {\n public:\n  friend bool f(const s&) { return false; }\n};", 1),
     ("no verb", "/// The number of edges.\nint f();", 1), ("a noun in -s", "/// Edges of a ring.\nint f();", 1),
     ("a docstring far away", "/// Returns nothing.\n\nint f();", 1), ("an overload far away", "/// Returns nothing.\nint f();\n\nint f(int);", 1),
     ("a plain comment", "// Returns nothing.\nint f();", 1), ("a wide comment", "// " + "x" * WIDTH, 1), ("a wide docstring", "/// Returns " + "x" * WIDTH + "\nint f();", 1),
     ("behind a requires clause", "template <class T>\nrequires(sizeof(T) > 1)\nint f(T) { return 1; }", 1),
 ]
 HARMLESS = [
+    "/// A class.\nstruct s {\n  int x;\n};", "/// A class.\nclass s {\n public:\n  explicit s(int x) : x_{x} {}\n  bool operator<(int y) const { return x_ < y; }\n\n private:\n  int x_;\n};",
+    "/// What the concept asks for.\n///@{\nint f();\n\nint g();\n///@}",
     "/// Returns nothing.\nint f();\nint f(int);", "class s;", "/// A class.\nclass s {\n  int f();\n\n public:\n  s() = default;\n  s(const s&) = delete;\n};",
     "/// A class.\nstruct s {\n  int x;  ///< its place\n};", "namespace detail {\nint f();\n}", "/// A class.\nclass s {\n  struct t {\n    int x;\n  };\n};",
     "/// A class.\nstruct s {\n  friend bool operator==(const s&, const s&) = default;\n};", "/// Returns nothing.\ntemplate <class T>\nint f(T t) {\n  int x = t;\n  return x;\n}",

@@ -27,7 +27,9 @@ struct box {
   std::array<double, 2> low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   std::array<double, 2> high = {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 
+  /// Returns the box that holds one point.
   static box at(const std::array<double, 2>& p) { return {p, p}; }
+  /// Grows the box until it contains b.
   void add(const box& b) {
     for (int axis = 0; axis < 2; ++axis) {
       low[axis] = std::min(low[axis], b.low[axis]);
@@ -41,12 +43,14 @@ struct box {
       high[axis] = std::clamp(high[axis], b.low[axis], b.high[axis]);
     }
   }
+  /// Moves every side outwards.
   void grow(double by) {
     for (int axis = 0; axis < 2; ++axis) {
       low[axis] -= by;
       high[axis] += by;
     }
   }
+  /// Returns whether the boxes share a point.
   bool meets(const box& b) const { return low[0] <= b.high[0] && b.low[0] <= high[0] && low[1] <= b.high[1] && b.low[1] <= high[1]; }
 };
 
@@ -69,13 +73,14 @@ class box_tree {
     free_ = -1;
   }
 
-  /// One of many, to be followed by build().
+  /// Adds one of many boxes; build() must follow before a search.
   void add(int id, const box& b) { add(0, rounded(b, id)); }
   /// Makes a tree of what was added. Cost: a few passes over it.
   void build() {
     if (nodes_[0].count > nodes_[0].limit) split(0, whole);
   }
 
+  /// Inserts a box into a tree that is built.
   void insert(int id, const box& b) { insert(0, whole, rounded(b, id)); }
 
   /// Calls body(id) for each box that meets b; for one box perhaps several times.
@@ -84,8 +89,8 @@ class box_tree {
     search(0, whole, rounded(b, -1), body);
   }
 
-  /// What is around this box will be asked for soon. To be called for many boxes, then for all of
-  /// them with `deep`: only so do they wait together.
+  /// Tells the processor that what is around this box will be asked for soon. To be called for many
+  /// boxes, then for all of them with `deep`: only so do they wait together.
   void prefetch(const box& b, bool deep) const {
     if (nodes_.empty()) return;
     const entry e = rounded(box::at({(b.low[0] + b.high[0]) / 2, (b.low[1] + b.high[1]) / 2}), -1);

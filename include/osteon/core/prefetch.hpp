@@ -8,8 +8,8 @@
 
 namespace osteon {
 
-/// x will be needed soon. Does nothing where the compiler has no such hint; x need not be
-/// initialised.
+/// Tells the processor that x will be needed soon. Does nothing where the compiler has no such
+/// hint; x need not be initialised.
 template <class T>
 void prefetch([[maybe_unused]] const T& x) {
 #if defined(__GNUC__)

@@ -11,20 +11,20 @@ namespace osteon {
 /// `undecided_error`.
 enum class sign : signed char { negative = -1, zero = 0, positive = 1 };
 
-/// The sign of -x. Constant time.
+/// Returns the sign of -x. Constant time.
 constexpr sign operator-(sign s) noexcept { return static_cast<sign>(-static_cast<int>(s)); }
 
-/// The sign of a product. Constant time.
+/// Returns the sign of a product. Constant time.
 constexpr sign operator*(sign a, sign b) noexcept { return static_cast<sign>(static_cast<int>(a) * static_cast<int>(b)); }
 
-/// The sign of a number of any type that compares with 0 (for floating point: of the rounded value;
-/// NaN gives zero).
+/// Returns the sign of a number of any type that compares with 0 (for floating point: of the
+/// rounded value; NaN gives zero).
 template <class Number>
 constexpr sign sign_of(const Number& x) {
   return x < 0 ? sign::negative : (x > 0 ? sign::positive : sign::zero);
 }
 
-/// `positive` for true, `negative` for false.
+/// Returns `positive` for true, `negative` for false.
 constexpr sign signed_if(bool b) noexcept { return b ? sign::positive : sign::negative; }
 
 }  // namespace osteon

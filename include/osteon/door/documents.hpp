@@ -38,6 +38,7 @@ struct exact_scale {
 
 /// A polygon's skeleton. Edge i, face i and vertex i of the outline belong together.
 struct polygon_document {
+  /// An edge of the outline.
   struct outline_edge {
     /// of the input, where it starts; an exterior run's edge ends at the one that follows in the
     /// input
@@ -45,6 +46,7 @@ struct polygon_document {
     int next;
     int line;
   };
+  /// A node of the raw skeleton.
   struct node {
     int vertex;                ///< of the outline, or -1
     event_kind event;          ///< vertex, edge or split
@@ -54,15 +56,18 @@ struct polygon_document {
     double time = 0;
     std::array<double, 2> point{};
   };
+  /// An arc of either level of detail.
   struct arc {
     int source;
     int target;                ///< -1: endless
     std::array<int, 2> faces;  ///< representatives
   };
+  /// A node through whose place an arc passes in the limit.
   struct interior_node {
     int arc;
     int node;
   };
+  /// A node of the contracted skeleton.
   struct exact_node {
     int vertex;                 ///< of the outline, or -1
     std::array<int, 3> lines;   ///< that meet here
@@ -70,6 +75,7 @@ struct polygon_document {
     double time = 0;
     std::array<double, 2> point{};
   };
+  /// The contracted skeleton.
   struct exact_skeleton {
     std::vector<exact_node> nodes;
     std::vector<arc> arcs;
@@ -93,6 +99,7 @@ struct polygon_document {
 /// A polyhedron's skeleton. Vertices and edges of the solid go by the numbers of points of the
 /// input.
 struct polyhedron_document {
+  /// A node of the raw skeleton.
   struct node {
     int vertex;  ///< the point of the input, or -1
     event_kind event;
@@ -104,6 +111,7 @@ struct polyhedron_document {
     double time = 0;
     std::array<double, 3> point{};
   };
+  /// An arc of the raw skeleton.
   struct arc {
     int source;
     int target;
@@ -111,27 +119,32 @@ struct polyhedron_document {
     int corner;                 ///< 0 .. 255: the solid around the vertex, a bit for each octant
     std::vector<int> sheets;
   };
+  /// A sheet of the raw skeleton.
   struct sheet {
     std::array<int, 2> planes;
     int representative;
     std::vector<int> arcs;
     std::array<int, 2> edge = {-1, -1};  ///< points of the input
   };
+  /// A node of the contracted skeleton, by the raw nodes at its place.
   struct exact_node {
     std::vector<int> raw;
     std::vector<int> arcs;
   };
+  /// An arc of the contracted skeleton, between the cells of its planes.
   struct exact_arc {
     int source;
     int target;
     std::vector<int> planes;
     std::vector<int> sheets;
   };
+  /// A sheet of the contracted skeleton, by the raw sheets that it is made of.
   struct exact_sheet {
     std::array<int, 2> planes;
     std::vector<int> raw;
     std::vector<int> arcs;
   };
+  /// The contracted skeleton.
   struct exact_skeleton {
     std::vector<exact_node> nodes;
     std::vector<exact_arc> arcs;
@@ -156,7 +169,7 @@ struct polyhedron_document {
 /// Checks the certificate of what a document says about a polygon: nothing where it holds. *Throws*
 /// input_error where the polygon is none, or a number of the document is no number.
 std::optional<skeleton_refutation> verify(const polygon& p, const polygon_document& d);
-/// The same for a polyhedron.
+/// Does the same for a polyhedron.
 std::optional<skeleton_refutation> verify(const polyhedron& p, const polyhedron_document& d);
 
 }  // namespace osteon

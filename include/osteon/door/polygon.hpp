@@ -107,6 +107,7 @@ polygon read_polygon(std::istream& in, const std::string& name, checking when = 
 /// file: whether it has one facet only), else by the first characters of the text. Nothing is
 /// checked.
 bool is_polygon_file(const std::string& file);
+/// Returns whether a text begins like a polygon in any format but OBJ.
 bool is_polygon_text(std::string_view text);
 
 /// Returns the weight of an edge whose roof rises at this angle against the horizontal, where the

@@ -33,6 +33,7 @@ struct polygon_options {
 
 /// The polygon that is left, or has grown, at some time.
 struct offset_polygon {
+  /// A closed line, the interior on its left.
   struct ring {
     std::vector<std::array<double, 2>> points;  ///< counter-clockwise, holes clockwise
     /// by point: the edge of the input on whose moved line the ring goes on (the first of those
@@ -108,7 +109,9 @@ class polygon_skeleton {
 
   /// Returns how many vertices, holes and connected pieces the checked polygon has.
   int vertices() const;
+  /// Returns how many clockwise boundaries the checked polygon has.
   int holes() const;
+  /// Returns how many connected pieces the interior of the checked polygon has.
   int parts() const;
   /// Returns what was left out or repaired in the input, one sentence each.
   const std::vector<std::string>& notes() const&;
@@ -145,6 +148,7 @@ class polygon_skeleton::node {
   /// Returns its coordinates or time with so many digits after the point, rounded correctly, halves
   /// away from zero. Any number of digits can be had. *Throws* as point.
   std::array<std::string, 2> point_exact(int digits = 20) const;
+  /// Returns its time in the same way.
   std::string time_exact(int digits = 20) const;
   /// Returns whether it has a place: not where, in a raw skeleton, its lines have come to meet
   /// always or never.
@@ -223,7 +227,7 @@ class polygon_skeleton::face {
 /// unsupported_error where a part of the wavefront stands still for ever, undecided_error
 /// (number_kernel::floating only). *Complexity*: n log n in practice, memory linear.
 polygon_skeleton skeletonize(const polygon& p, const polygon_options& options = {});
-/// The same, with less memory: the polygon's input is given up.
+/// Does the same, with less memory: the polygon's input is given up.
 polygon_skeleton skeletonize(polygon&& p, const polygon_options& options = {});
 
 }  // namespace osteon

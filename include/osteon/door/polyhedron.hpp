@@ -38,7 +38,9 @@ class polyhedron {
 
   /// Returns how many vertices, edges and facets there are, coplanar neighbours merged.
   int vertices() const;
+  /// Returns how many edges there are between facets in different planes.
   int edges() const;
+  /// Returns how many facets there are, coplanar neighbours merged.
   int facets() const;
   /// Returns how many planes the facets lie in. Skeletons go by these numbers.
   int planes() const;
@@ -46,6 +48,8 @@ class polyhedron {
   /// Returns the point of a vertex, or the vertex at a point. Several vertices may lie at one
   /// point: the first. *Throws* input_error(bad_index) where there is none.
   int point_of(int vertex) const;
+  /// Returns the vertex at a point of the input, the first where there are several. *Throws*
+  /// input_error(bad_index) where there is none.
   int vertex_at(int point) const;
   /// Returns how many edges meet in a vertex. *Throws* input_error(bad_index).
   int degree(int vertex) const;

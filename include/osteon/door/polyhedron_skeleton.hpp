@@ -125,6 +125,7 @@ class polyhedron_skeleton::node {
   /// Returns its coordinates or time with so many digits after the point, rounded correctly, halves
   /// away from zero. Any number of digits can be had. *Throws* as point.
   std::array<std::string, 3> point_exact(int digits = 20) const;
+  /// Returns its time in the same way.
   std::string time_exact(int digits = 20) const;
   /// Returns whether it has a place: not where, in a raw skeleton, no three of its planes meet in a
   /// point.

@@ -38,10 +38,11 @@ class common_scale {
     any_ = true;
   }
 
-  int ten() const { return ten_; }                ///< the unit's power of ten
-  int two() const { return two_; }                ///< the unit's power of two
-  std::size_t count() const { return count_; }    ///< how many numbers were added
-  std::size_t finest() const { return finest_; }  ///< which of them, from 0, demands the unit
+  int ten() const { return ten_; }              ///< Returns the unit's power of ten
+  int two() const { return two_; }              ///< Returns the unit's power of two
+  std::size_t count() const { return count_; }  ///< Returns how many numbers were added
+  /// Returns which of them, from 0, demands the unit
+  std::size_t finest() const { return finest_; }
 
   /// Returns whether the scaled numbers would be longer than the limits allow.
   bool is_absurd() const { return bits() > most_bits_of_scale || all_bits() > most_bits_of_all; }
@@ -58,7 +59,7 @@ class common_scale {
     if (x.two > two_) result <<= static_cast<unsigned>(x.two - two_);
     return result;
   }
-  /// The same; the number keeps its digits.
+  /// Does the same; the number keeps its digits.
   Int scaled(const exact_number<Int>& x) { return scaled(exact_number<Int>(x)); }
 
  private:

@@ -54,7 +54,7 @@ struct ring_relations {
 
   /// Returns the rays of a touching point.
   std::span<ray> rays_of(std::size_t t) { return std::span(rays).subspan(first_rays[t], first_rays[t + 1] - first_rays[t]); }
-  /// The same for constant relations.
+  /// Does the same for constant relations.
   std::span<const ray> rays_of(std::size_t t) const { return std::span(rays).subspan(first_rays[t], first_rays[t + 1] - first_rays[t]); }
 };
 

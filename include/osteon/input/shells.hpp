@@ -27,7 +27,7 @@ class shells {
     find_depths();
   }
 
-  /// *Throws* input_error(inverted) where a shell's normals point to the wrong side.
+  /// Refuses with input_error(inverted) where a shell's normals point to the wrong side.
   void check() const {
     std::size_t wrong = 0;
     std::size_t example = 0;

@@ -70,7 +70,7 @@ class text_source {
   [[noreturn]] void fail(input_fault fault, const std::string& what, const std::string& hint, std::size_t line) const {
     throw input_error(fault, line, name_ + ":" + std::to_string(line) + ": " + what, hint);
   }
-  /// The same for the line of the next character.
+  /// Does the same for the line of the next character.
   [[noreturn]] void fail(input_fault fault, const std::string& what, const std::string& hint) const { fail(fault, what, hint, line_); }
 
   /// Appends a character to a word, which must not become absurdly long.
@@ -96,7 +96,7 @@ class text_source {
     }
     return value;
   }
-  /// The same for a word in the line of the next character.
+  /// Does the same for a word in the line of the next character.
   template <class Int>
   exact_number<Int> number(std::string_view word) const {
     return number<Int>(word, line_);

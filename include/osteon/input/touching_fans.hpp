@@ -24,7 +24,7 @@ class touching_fans {
   /// *Requires* a surface with planes and half-edges that does not meet itself but in such points.
   explicit touching_fans(const surface<Int>& s) : s_(s) {}
 
-  /// *Throws* input_error(non_manifold_vertex) for a point in which a fan lies on the inner side of
+  /// Refuses with input_error(non_manifold_vertex) a point in which a fan lies on the inner side of
   /// another.
   void check() const {
     std::map<int, std::vector<int>> at;  // the fans of a point

@@ -50,6 +50,7 @@ class contact_search {
   /// Makes the next window longer, or shorter when the present one ends early because too much
   /// happens in it.
   void lengthen() { step_ *= 2; }
+  /// Ends the window earlier.
   void shorten(double end) {
     step_ = std::clamp((end - window_.first) / 2, step_ / 16, step_ / 2);
     window_.last = end;

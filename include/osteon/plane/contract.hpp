@@ -24,12 +24,14 @@ namespace osteon::plane {
 
 /// The exact skeleton: places where at least three arcs meet, and the polygon's vertices.
 struct contracted_skeleton {
+  /// A place where at least three arcs meet, or a vertex of the polygon.
   struct node {
     int vertex;  ///< of the polygon, or -1
     /// as of a raw node: that meet here, at a time that the unperturbed kernel knows
     triple lines;
     std::array<line_id, 2> corner;  ///< two of them that cross
   };
+  /// A way along which two faces meet.
   struct arc {
     int source;                ///< not later than the target, and before it in the list of nodes
     int target;                ///< -1: never ends

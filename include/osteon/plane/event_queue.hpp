@@ -34,6 +34,7 @@ template <kernel<2> K>
 class event_queue {
  public:
   using meeting = typename K::meeting;
+  /// A candidate that has been asked for its meeting.
   struct event {
     meeting when;
     candidate what;
@@ -66,9 +67,12 @@ class event_queue {
         if (const auto m = meet(c)) enter({*m, c});
     }
   }
+  /// Returns the earliest event. *Requires* a queue that is not empty.
   const event& top() const { return events_[heap_.front().id]; }
+  /// Returns the enclosure of the earliest event's time. *Requires* a queue that is not empty.
   const interval& top_time() const { return heap_.front().when; }
 
+  /// Adds a candidate with its meeting.
   void push(const meeting& m, const candidate& c) {
     if (sliced_ && (slice_ == slices_.size() || c.when.first < begin_[slice_])) {
       enter({m, c});
@@ -78,6 +82,7 @@ class event_queue {
     ++waiting_;
   }
 
+  /// Removes the earliest event and returns it. *Requires* a queue that is not empty.
   event pop() {
     std::pop_heap(heap_.begin(), heap_.end(), later{this});
     const int id = heap_.back().id;
@@ -86,7 +91,7 @@ class event_queue {
     return events_[id];
   }
 
-  /// Before many are pushed: time is cut into slices anew afterwards. Those for which
+  /// Prepares for many pushes: time is cut into slices anew afterwards. Those for which
   /// keep(candidate), which may change it, is false are forgotten.
   template <class Keep>
   void restart(Keep keep) {

@@ -22,6 +22,7 @@ namespace osteon::plane {
 /// Walks through the nodes of a contracted skeleton. Each arc is passed twice, once each way, and
 /// each side of the polygon once.
 struct face_loops {
+  /// A closed walk around a face.
   struct loop {
     int face;                ///< its representative edge; -1: the polygon itself, seen from below
     std::vector<int> nodes;  ///< the face on the left, where time points up from its line
@@ -225,8 +226,8 @@ class face_tracer {
 
 }  // namespace detail
 
-/// The boundaries of all faces of a bounded skeleton, and of the polygon. `angle(face, node,
-/// other)` is asked only where a face touches itself in a node: a number that grows with the
+/// Returns the boundaries of all faces of a bounded skeleton, and of the polygon. `angle(face,
+/// node, other)` is asked only where a face touches itself in a node: a number that grows with the
 /// direction from there to another node, counter-clockwise in coordinates of place along the face's
 /// line and time. Throws unsupported_error for a skeleton with unbounded faces, invariant_error
 /// where arcs do not fit. Cost: sorting.

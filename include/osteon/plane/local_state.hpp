@@ -16,7 +16,7 @@
 
 namespace osteon::plane {
 
-/// The other two of the numbers 0, 1, 2, ascending.
+/// Returns the other two of the numbers 0, 1, 2, ascending.
 constexpr std::array<unsigned, 2> others(unsigned r) { return {r == 0 ? 1U : 0U, r == 2 ? 1U : 2U}; }
 
 /// The wavefront around the point of a meeting just before it. Pieces of lines have labels as in

@@ -36,10 +36,12 @@ concept moment_of_lines = requires(const I& at, line_id a, line_id b, line_id c,
 
 /// Closed rings of moving vertices, the interior on their left.
 struct wavefront_rings {
+  /// A vertex of the wavefront at one time.
   struct corner {
     int arc;   ///< of the raw skeleton, whose vertex is here
     int face;  ///< on whose line the edge that starts here lies
   };
+  /// A closed ring of the wavefront at one time.
   struct ring {
     int first;  ///< of its corners
     int size;
@@ -229,11 +231,11 @@ class wavefront_reader {
 
 }  // namespace detail
 
-/// The wavefront at a moment. At the moment of an event it is what comes after it, in the limit:
-/// edges without length are left out, nothing is left when all is over. `line_of_edge` is that of
-/// the outline. Parts are told apart by the rest of the skeleton; where it is unbounded (held for
-/// ever, or outside of a polygon), rings that it does not join have parts of their own. Throws
-/// invariant_error if the skeleton is none of these lines. Cost: linear in the skeleton, and
+/// Returns the wavefront at a moment. At the moment of an event it is what comes after it, in the
+/// limit: edges without length are left out, nothing is left when all is over. `line_of_edge` is
+/// that of the outline. Parts are told apart by the rest of the skeleton; where it is unbounded
+/// (held for ever, or outside of a polygon), rings that it does not join have parts of their own.
+/// Throws invariant_error if the skeleton is none of these lines. Cost: linear in the skeleton, and
 /// sorting where a face has several edges; exact questions only about what is alive.
 template <moment_of_lines I>
 wavefront_rings wavefront_at(const skeleton& raw, const std::vector<int>& line_of_edge, const I& at) {

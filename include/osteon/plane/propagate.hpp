@@ -190,7 +190,7 @@ skeleton straight_skeleton(const K& k, const boundary& polygon, const Motion& mo
   return propagation<K, Motion>(k, polygon, motion, o).run();
 }
 
-/// The same with a kernel alone, without bounds on motion.
+/// Does the same with a kernel alone, without bounds on motion.
 /// *Throws* unsupported_error also where `until` is given: without bounds no time is known.
 /// *Complexity* O(n^2) predicates and more.
 template <kernel<2> K>

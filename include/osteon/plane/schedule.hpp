@@ -116,7 +116,7 @@ class schedule {
   void restart() {
     queue_.restart([this](const candidate& c) { return is_current(c); });
   }
-  /// The same, and follows a renumbering of the wavefront.
+  /// Does the same, and follows a renumbering of the wavefront.
   void renumber(const wavefront::numbering& now) {
     std::vector<interval> collapse;
     collapse.reserve(front_.edges.capacity());

@@ -27,6 +27,7 @@ enum class event_class : std::uint8_t { edge, split };
 /// The raw skeleton of a perturbed polygon: one node for each vertex and each event, in order of
 /// time; one arc for each moving vertex.
 struct skeleton {
+  /// A vertex of the polygon or an event.
   struct node {
     int vertex;         ///< of the polygon, or -1
     triple lines;       ///< that meet, ascending; of a vertex its two lines and -1
@@ -35,6 +36,7 @@ struct skeleton {
     /// propagation::collapse_zero_length_edges)
     bool zero_length = false;
   };
+  /// The way of a moving vertex.
   struct arc {
     int source;
     int target;  ///< -1: the vertex moves for ever (outside of the polygon)

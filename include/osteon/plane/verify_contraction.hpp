@@ -31,6 +31,7 @@ class contraction_verifier {
   contraction_verifier(const K& k, const boundary& polygon, const skeleton& raw, const contracted_skeleton& given)
       : k_(k), polygon_(polygon), raw_(raw), s_(given) {}
 
+  /// Returns the first broken rule, or nothing: the contracted skeleton is right.
   std::optional<refutation> run() {
     try {
       check_boundary(k_.size(), polygon_);

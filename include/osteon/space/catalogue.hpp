@@ -25,7 +25,9 @@ namespace osteon {
 
 /// The thesis's thirteen classes of events (3.9) and `other` for what fits none.
 enum class event_class : std::uint8_t { E1, E2, E3, E4, E5, E6, V_E, V_V_I, V_V_II, V_V_E_I, V_V_E_II, E_E, V_F, other };
+/// How many classes of events there are, "other" included.
 inline constexpr int event_classes = 14;
+/// The names of the classes, in the order of `event_class`.
 inline constexpr std::array<std::string_view, event_classes> event_names = {"E1",    "E2",     "E3",      "E4",       "E5",  "E6",  "V-E",
                                                                             "V-V-I", "V-V-II", "V-V-E-I", "V-V-E-II", "E-E", "V-F", "other"};
 
@@ -42,6 +44,7 @@ enum section : std::uint8_t { far_k, segment, far_l };
 struct pair_of_planes {
   unsigned i, j, k, l;
 };
+/// All pairs of the four planes, each with the other two.
 inline constexpr std::array<pair_of_planes, 6> pairs = {{{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
 
 /// Returns on which sides of the two other planes a section lies: bits k and l of its cells. The
@@ -111,6 +114,7 @@ constexpr int product_weight(std::uint8_t g) {
 
 /// Convex and reflex corners: the solid, or what is not solid, is one octant.
 inline constexpr std::uint8_t convex = 0x80;
+/// The corner whose edges are all reflex.
 inline constexpr std::uint8_t reflex = 0xFE;
 /// The majority corner: a vertex of three planes with six edges.
 inline constexpr std::uint8_t majority = 0b11101000;

@@ -60,13 +60,13 @@ class corner_signs {
     lifts_.assign(choose(degree(), 4), unknown);
   }
 
-  /// The kernel that is asked.
+  /// Returns the kernel that is asked.
   const K& kernel() const { return k_; }
-  /// The moment just after the start.
+  /// Returns the moment just after the start.
   const typename K::meeting& start() const { return start_; }
-  /// The corner that the signs are of.
+  /// Returns the corner that the signs are of.
   const corner& of() const { return c_; }
-  /// The number of facets around the vertex.
+  /// Returns the number of facets around the vertex.
   int degree() const { return c_.degree(); }
   /// Returns the plane of a facet.
   plane_id plane(int facet) const { return c_.facets[static_cast<std::size_t>(facet)]; }

@@ -31,9 +31,9 @@ class front_surgery {
   /// An empty wavefront of so many planes.
   front_surgery(const K& k, plane_id planes) : k_(k), front_(planes) {}
 
-  /// The wavefront as it is now.
+  /// Returns the wavefront as it is now.
   const wavefront& front() const { return front_; }
-  /// What it has traced until now.
+  /// Returns what it has traced until now.
   const skeleton& traced() const { return result_; }
 
   /// Adds a node: a vertex of the solid or an event.

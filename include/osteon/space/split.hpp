@@ -37,7 +37,7 @@ class splitter {
   /// *Requires* degree >= 4.
   splitter(const K& k, corner c, bool bounded = true) : signs_(k, std::move(c), bounded) {}
 
-  /// The signs of the corner.
+  /// Returns the signs of the corner.
   const corner_signs<K>& signs() const { return signs_; }
 
   /// Returns the tree of a triangulation given by its diagonals, ascending; nothing where it breaks

@@ -42,6 +42,8 @@ struct any_tree {
   using value = int;
   using sum = int;
 
+  /// The operations of the concept split_objective.
+  ///@{
   value none() const { return 0; }
   value with_edge(value, bool) const { return 0; }
   value with_vertex(value, value, const std::array<int, 3>&) const { return 0; }
@@ -50,6 +52,7 @@ struct any_tree {
   void add_edge(sum&, bool) const {}
   void add_vertex(sum&, const std::array<int, 3>&) const {}
   sign compare(sum, sum) const { return sign::zero; }
+  ///@}
 };
 
 /// The objective: most edges of one kind that begin at the vertex.
@@ -61,6 +64,8 @@ class edge_count {
   /// Counts convex or reflex edges.
   explicit edge_count(bool convex) : convex_(convex) {}
 
+  /// The operations of the concept split_objective.
+  ///@{
   value none() const { return 0; }
   value with_edge(value v, bool convex) const { return v + (convex == convex_ ? 1 : 0); }
   value with_vertex(value left, value right, const std::array<int, 3>&) const { return left + right; }
@@ -69,6 +74,7 @@ class edge_count {
   void add_edge(sum& s, bool convex) const { s += convex == convex_ ? 1 : 0; }
   void add_vertex(sum&, const std::array<int, 3>&) const {}
   sign compare(const sum& x, const sum& y) const { return sign_of(x - y); }
+  ///@}
 
  private:
   bool convex_;
@@ -91,6 +97,8 @@ class offset_volume {
   /// `signs`: of the corner; they must outlive the objective.
   offset_volume(const corner_signs<K>& signs, bool greatest) : signs_(signs), greatest_(greatest) {}
 
+  /// The operations of the concept split_objective.
+  ///@{
   value none() const { return nullptr; }
   value with_edge(value v, bool) const { return v; }
   value with_vertex(value left, value right, const std::array<int, 3>& facets) { return &parts_.emplace_back(part{left, right, planes(facets)}); }
@@ -119,6 +127,7 @@ class offset_volume {
     const sign s = signs_.kernel().compare_volume(only_x, only_y);
     return greatest_ ? s : -s;
   }
+  ///@}
 
  private:
   static constexpr triple nothing = {-1, -1, -1};

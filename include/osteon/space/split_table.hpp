@@ -89,11 +89,11 @@ class split_table {
     }
   }
 
-  /// The signs of the corner.
+  /// Returns the signs of the corner.
   const corner_signs<K>& signs() const { return s_; }
-  /// The turns of its facets.
+  /// Returns the turns of its facets.
   const facet_turns<K>& turns() const { return turns_; }
-  /// The objective.
+  /// Returns the objective.
   const Objective& objective() const { return objective_; }
 
   /// Returns the number of candidates.

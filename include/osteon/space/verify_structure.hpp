@@ -89,8 +89,8 @@ class structure_check {
   const skeleton& s_;
 };
 
-/// Rule `order`: every node has a moment, nodes come in order of time, arcs run forwards. Returns
-/// the nodes' moments.
+/// Demands rule `order`: every node has a moment, nodes come in order of time, arcs run forwards.
+/// Returns the nodes' moments.
 /// *Requires* rule `structure`. *Throws* refutation. *Complexity* linear.
 template <kernel<3> K>
 std::vector<typename K::meeting> check_order(const K& k, const skeleton& s) {

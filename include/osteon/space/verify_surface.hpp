@@ -20,8 +20,8 @@
 
 namespace osteon::certificate {
 
-/// Rule `border`: at the solid's vertices the border of every polygon of sheets is closed, and the
-/// edges of the sheets are those of the solid.
+/// Demands rule `border`: at the solid's vertices the border of every polygon of sheets is closed,
+/// and the edges of the sheets are those of the solid.
 /// *Requires* rules `structure` and `incidence`. *Throws* refutation. *Complexity* n log n.
 inline void check_borders(const boundary& solid, const skeleton& s) {
   std::map<std::pair<int, int>, int> ends;  // of a polygon's border, by representative and vertex
@@ -44,8 +44,8 @@ inline void check_borders(const boundary& solid, const skeleton& s) {
     demand(times % 2 == 0, rule::border, "edge", at.first, ("bounds no sheet, or a wrong one, of facet " + std::to_string(at.second)).c_str());
 }
 
-/// Rule `floor` for the cell of facet f: every part of the cell's surface that hangs together
-/// touches the facet.
+/// Demands rule `floor` for the cell of facet f: every part of the cell's surface that hangs
+/// together touches the facet.
 /// *Requires* rules `structure` and `incidence`. *Throws* refutation. *Complexity* n log n in the
 /// cell's sheets and arcs.
 inline void check_floor(const skeleton& s, plane_id f) {
@@ -83,7 +83,7 @@ inline void check_floor(const skeleton& s, plane_id f) {
     demand(grounded[parts.find(static_cast<int>(p))], rule::floor, "cell", f, "has a part that does not touch its facet");
 }
 
-/// Rule `floor` for all cells.
+/// Demands rule `floor` for all cells.
 inline void check_floors(const skeleton& s) {
   for (std::size_t f = 0; f < s.cells.size(); ++f) check_floor(s, static_cast<plane_id>(f));
 }

@@ -115,9 +115,9 @@ class wavefront {
   /// Returns the edges of a facet.
   std::span<const int> of_facet(plane_id p) const { return by_plane_[p]; }
 
-  /// All vertices that there ever were.
+  /// Returns all vertices that there ever were.
   const std::vector<vertex>& vertices() const { return vertices_; }
-  /// All edges that there ever were.
+  /// Returns all edges that there ever were.
   const std::vector<edge>& edges() const { return edges_; }
   /// Returns a vertex, to be changed.
   vertex& at_vertex(int v) { return vertices_[v]; }

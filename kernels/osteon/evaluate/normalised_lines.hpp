@@ -37,14 +37,18 @@ struct line_number;
 template <>
 struct line_number<double> {
   static constexpr double error = 0x1p-46;
+  /// Returns x * 2^-shift, rounded.
   static double from(const integer& x, int shift) { return to_double(x, shift); }
+  /// Returns the length of a vector, rounded.
   static double length(double x, double y) { return std::hypot(x, y); }
   static double size(double x) { return std::abs(x); }
 };
 template <>
 struct line_number<double_double> {
   static constexpr double error = 0x1p-90;
+  /// Returns x * 2^-shift, rounded.
   static double_double from(const integer& x, int shift) { return to_double_double(x, shift); }
+  /// Returns the length of a vector, rounded.
   static double_double length(const double_double& x, const double_double& y) { return sqrt(x * x + y * y); }
   static double size(const double_double& x) { return std::abs(x.high); }
 };
@@ -54,6 +58,7 @@ struct line_number<double_double> {
 template <class Number>
 class normalised_lines {
  public:
+  /// A line whose normal has length 1.
   struct line {
     std::array<Number, 2> n;
     Number d;
@@ -79,7 +84,9 @@ class normalised_lines {
   }
 
   const line& operator[](line_id i) const { return lines_[i]; }
+  /// Returns the power of two by which lengths are divided.
   int shift() const { return shift_; }
+  /// Returns the power of two by which weights are divided.
   int weight_shift() const { return weight_shift_; }
 
   /// Returns n_a x n_b, which is wrong by less than `error`.

@@ -27,6 +27,7 @@ namespace osteon::plane {
 /// A polygon with holes, or several: in the units of the input.
 template <class Number>
 struct offset_polygon {
+  /// A closed line, the interior on its left.
   struct ring {
     std::vector<std::array<Number, 2>> points;  ///< counter-clockwise, holes clockwise
     /// By point: the edge of the polygon on whose line the edge that starts there lies; of edges

@@ -40,7 +40,9 @@ struct roof_options {
 /// A closed surface: every edge belongs to two faces, which pass it in opposite directions. Faces
 /// are counter-clockwise seen from outside.
 struct roof_mesh {
+  /// What a face of a roof is.
   enum class kind : unsigned char { roof, wall, floor };
+  /// A face of a roof, by the numbers of its corners.
   struct face {
     std::vector<int> corners;
     kind what;
@@ -50,8 +52,8 @@ struct roof_mesh {
   std::vector<face> faces;
 };
 
-/// The weight (horizontal way for each unit of height) of an edge whose roof rises at this angle
-/// against the horizontal: the cotangent; 90 gives 0, a gable. Throws input_error unless 0 <
+/// Returns the weight (horizontal way for each unit of height) of an edge whose roof rises at this
+/// angle against the horizontal: the cotangent; 90 gives 0, a gable. Throws input_error unless 0 <
 /// degrees <= 90. The heights of a roof with such weights are right for slope 1.
 inline double weight_of_slope(double degrees) {
   if (!(degrees > 0 && degrees <= 90))
@@ -203,12 +205,12 @@ class roof_builder {
 
 }  // namespace detail
 
-/// The roof over a polygon: one face for each edge that sweeps an area, walls where the weight is
-/// zero (gables), a floor, in the units of the input. Faces are flat but for rounding, and not cut
-/// into triangles unless they have holes or `options` ask for it. Points are the skeleton's nodes:
-/// heights are times multiplied by the slope. `s` is the contraction of `raw`. Throws
-/// unsupported_error for unbounded skeletons, input_error for options without sense. Cost: sorting;
-/// a floor with holes, and all triangles, the square of their rings' sizes.
+/// Returns the roof over a polygon: one face for each edge that sweeps an area, walls where the
+/// weight is zero (gables), a floor, in the units of the input. Faces are flat but for rounding,
+/// and not cut into triangles unless they have holes or `options` ask for it. Points are the
+/// skeleton's nodes: heights are times multiplied by the slope. `s` is the contraction of `raw`.
+/// Throws unsupported_error for unbounded skeletons, input_error for options without sense. Cost:
+/// sorting; a floor with holes, and all triangles, the square of their rings' sizes.
 inline roof_mesh make_roof(const polygon<integer>& p, const skeleton& raw, const contracted_skeleton& s, const roof_options& options = {}) {
   if (!(options.slope > 0) || !std::isfinite(options.slope) || !std::isfinite(options.eaves) || (options.walls && !(options.eaves > 0)))
     throw input_error(input_fault::bad_number, 0, "a roof needs a slope greater than zero and, with walls, eaves above zero",

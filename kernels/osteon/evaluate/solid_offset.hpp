@@ -141,6 +141,7 @@ class instant_of_planes {
 /// A closed surface: every edge belongs to two facets, which pass it in opposite directions. Facets
 /// are counter-clockwise seen from outside.
 struct solid_surface {
+  /// A facet of the surface, by its rings of corners.
   struct facet {
     std::vector<int> corners;
     plane_id plane;

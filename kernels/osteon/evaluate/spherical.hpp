@@ -27,6 +27,7 @@ namespace osteon {
 /// second facet; then those of the skeleton, where two facets meet as they move.
 struct spherical_skeleton {
   using vector = std::array<double, 3>;
+  /// An arc of a great circle.
   struct arc {
     std::array<int, 2> facets;  ///< places around the corner
     std::array<int, 2> nodes;
@@ -44,19 +45,23 @@ struct spherical_skeleton {
 
 namespace local {
 
+/// A vector of space, as a direction.
 using direction = spherical_skeleton::vector;
 
+/// Returns the cross product.
 inline direction cross(const direction& a, const direction& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+/// Returns the inner product.
 inline double dot(const direction& a, const direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+/// Returns the vector of length 1 in a direction.
 inline direction unit(const direction& a) {
   const double length = std::sqrt(dot(a, a));
   return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-/// Points from a to b counter-clockwise around the axis (a unit vector across both), less than
-/// `step` radians apart.
+/// Returns points from a to b counter-clockwise around the axis (a unit vector across both), less
+/// than `step` radians apart.
 inline std::vector<direction> turn(const direction& a, const direction& b, const direction& axis, double step) {
   double angle = std::atan2(dot(cross(a, b), axis), dot(a, b));
   if (angle <= 0) angle += 2 * std::numbers::pi;
@@ -73,8 +78,8 @@ inline std::vector<direction> turn(const direction& a, const direction& b, const
 
 }  // namespace local
 
-/// The spherical skeleton of a split, in doubles. `planes` are the solid's. Requires a tree of
-/// degree - 2 vertices. Cost: linear in the degree and in 1 / step.
+/// Returns the spherical skeleton of a split, in doubles. `planes` are the solid's. Requires a tree
+/// of degree - 2 vertices. Cost: linear in the degree and in 1 / step.
 inline spherical_skeleton make_spherical_skeleton(std::span<const moving_plane<integer>> planes, const corner& c, const split_tree& t,
                                                   double step = std::numbers::pi / 60) {
   using namespace local;

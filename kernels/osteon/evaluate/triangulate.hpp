@@ -19,10 +19,11 @@
 
 namespace osteon {
 
+/// A point of the plane in doubles.
 using flat_point = std::array<double, 2>;
 
-/// Positive where a, b, c turn left; exact but for overflow. Doubles decide unless they cancel
-/// (Shewchuk 1997, 4.3).
+/// Returns positive where a, b, c turn left; exact but for overflow. Doubles decide unless they
+/// cancel (Shewchuk 1997, 4.3).
 inline sign turn_of(const flat_point& a, const flat_point& b, const flat_point& c) {
   const auto [left, right] = area_products(c, a, b);
   const double det = left - right;
@@ -33,7 +34,7 @@ inline sign turn_of(const flat_point& a, const flat_point& b, const flat_point& 
   return turn(exact(a), exact(b), exact(c));
 }
 
-/// Whether a point is inside of a ring; arbitrary on it. Linear.
+/// Returns whether a point is inside of a ring; arbitrary on it. Linear.
 inline bool is_inside(const std::vector<flat_point>& ring, const flat_point& p) {
   bool inside = false;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
@@ -50,9 +51,9 @@ class ear_clipping {
   /// `points` by number; rings are lists of numbers.
   explicit ear_clipping(const std::vector<flat_point>& points) : points_(points) {}
 
-  /// Triangles of an outer ring, counter-clockwise, and clockwise holes. Rings that cross (after
-  /// rounding, say) give triangles that overlap, but always ones whose sides are those of the rings
-  /// and pairs of opposite ones.
+  /// Returns the triangles of an outer ring, counter-clockwise, and clockwise holes. Rings that
+  /// cross (after rounding, say) give triangles that overlap, but always ones whose sides are those
+  /// of the rings and pairs of opposite ones.
   std::vector<std::array<int, 3>> run(std::vector<int> outer, std::vector<std::vector<int>> holes) {
     const auto rightmost = [this](std::vector<int>& r) {
       return std::max_element(r.begin(), r.end(), [this](int a, int b) { return points_[a] < points_[b]; });

@@ -52,6 +52,7 @@ class arithmetic_kernel {
   using corner = corner_planes<dimension>;
   using support = meeting_planes<dimension>;
 
+  /// The planes of a meeting, ascending, and the sign of S.
   struct meeting {
     support planes;
     sign closing;
@@ -62,8 +63,8 @@ class arithmetic_kernel {
   /// Returns the numbers that the kernel is about.
   const Arithmetic& arithmetic() const { return f_.arithmetic(); }
 
-  // ---- the concept (see core/kernel.hpp)
-
+  /// The questions of the concept kernel<K, D>, as core/kernel.hpp states them.
+  ///@{
   plane_id size() const { return f_.arithmetic().size(); }
   template <std::same_as<plane_id>... Planes>
   requires(sizeof...(Planes) == dimension) sign orientation(Planes... of)
@@ -95,9 +96,10 @@ class arithmetic_kernel {
   sign compare_volume(std::span<const triple> s, std::span<const triple> t) const requires(dimension == 3) {
     return f_.arithmetic().volume_order(s, t);
   }
+  ///@}
 
-  // ---- graded_kernel
-
+  /// The questions of the concept graded_kernel, as graded_kernel.hpp states them.
+  ///@{
   meeting meeting_of(const support& q) const {
     const support s = sorted(q);
     return {s, closing_at(0, s)};
@@ -117,8 +119,9 @@ class arithmetic_kernel {
       if (const auto s = known_cross(grade, q, r)) return *s;
     return f_.cross_at(grade, q, r);
   }
+  ///@}
 
-  // ---- beyond the concept, for adaptors and algorithms that can use it
+  // Beyond the concept, for adaptors and algorithms that can use it.
 
   /// Returns whether all planes have the same weight, and the kernel treats roots exactly.
   bool has_unit_speeds() const requires requires(const Arithmetic& a) { a.has_unit_speeds(); }

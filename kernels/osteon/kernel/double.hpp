@@ -51,6 +51,7 @@ class basic_double_arithmetic : public estimated_planes<Dimension> {
   double cosine(plane_id a, plane_id b) const { return dot(a, b) / std::sqrt(dot(a, a) * dot(b, b)); }
 };
 
+/// The arithmetic of machine numbers in space.
 using double_arithmetic = basic_double_arithmetic<3>;
 /// The double kernel of space.
 using double_kernel = arithmetic_kernel<double_arithmetic>;

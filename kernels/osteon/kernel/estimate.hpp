@@ -104,10 +104,13 @@ class estimated_planes {
   }
 
   plane_id size() const { return static_cast<plane_id>(planes_.size()); }
+  /// Returns a plane as rounded.
   const rounded_plane<Dimension>& plane(plane_id i) const { return planes_[i]; }
   /// Returns whether no plane had to be scaled to fit into doubles.
   bool unscaled() const { return unscaled_; }
+  /// Returns a coordinate of a plane's normal.
   estimate n(plane_id i, int axis) const { return estimate::input(planes_[i].n[axis], planes_[i].exact, planes_[i].fit); }
+  /// Returns a plane's offset.
   estimate d(plane_id i) const { return estimate::input(planes_[i].d, planes_[i].exact, planes_[i].fit); }
   /// Returns d for the anchor of another plane as the origin. Where all planes of a meeting have
   /// the same origin, D is the same as ever.
@@ -118,11 +121,14 @@ class estimated_planes {
     for (int axis = 0; axis < Dimension; ++axis) sum = sum + n(i, axis) * estimate::input(p.anchor[axis] - planes_[origin].anchor[axis], true);
     return sum;
   }
+  /// Returns a coordinate of a plane's tilt (see perturbation).
   estimate u(plane_id i, int axis) const { return tilts_[i][axis]; }
+  /// Returns the perturbation of a plane's offset.
   estimate delta(plane_id i) const {
     const auto& p = planes_[i];
     return estimate::input(p.unscaled() ? p.delta : std::ldexp(p.delta, -p.shift - p.offset_shift), p.exact, p.tilt_fit());
   }
+  /// Returns a plane's speed sigma.
   estimate speed(plane_id i) const { return estimate::input(planes_[i].speed, planes_[i].exact, planes_[i].fit); }
 
   /// Returns the value of a form in the speeds.

@@ -30,6 +30,7 @@ class basic_filter_arithmetic : public estimated_planes<Dimension> {
   /// Returns the sign of a form in the speeds, or nothing.
   std::optional<sign> decide(const linear_form<estimate>& f) const { return this->value(f).certain_sign(); }
 };
+/// The arithmetic of the filter in space.
 using filter_arithmetic = basic_filter_arithmetic<3>;
 
 /// The graded kernel K with a floating-point filter in front. It always gives the same answers as
@@ -63,8 +64,8 @@ class filtered {
   /// Returns the kernel without the filter.
   const K& base() const { return exact_; }
 
-  // ---- the concept (see core/kernel.hpp)
-
+  /// The questions of the concept kernel<K, D>, as core/kernel.hpp states them.
+  ///@{
   plane_id size() const { return exact_.size(); }
   template <std::same_as<plane_id>... Planes>
   requires(sizeof...(Planes) == dimension) sign orientation(Planes... of)
@@ -94,9 +95,10 @@ class filtered {
   bisector_type bisector(plane_id a, plane_id b) const { return exact_.bisector(a, b); }
   sign compare(const bisector_type& e, const bisector_type& f) const requires(dimension == 3) { return exact_.compare(e, f); }
   sign compare_volume(std::span<const triple> s, std::span<const triple> t) const requires(dimension == 3) { return exact_.compare_volume(s, t); }
+  ///@}
 
-  // ---- graded_kernel
-
+  /// The questions of the concept graded_kernel, as graded_kernel.hpp states them.
+  ///@{
   meeting meeting_of(const support& q) const {
     const support ascending = sorted(q);
     const lambdas_of lambda = fast_.lambda(0, ascending);
@@ -126,8 +128,9 @@ class filtered {
     const auto s = coefficient(grade, q, r).certain_sign();
     return s ? *s : exact_.cross_at(grade, q, r);
   }
+  ///@}
 
-  // ---- beyond the concept, for adaptors and algorithms that can use it
+  // Beyond the concept, for adaptors and algorithms that can use it.
 
   /// Tells the processor that this plane will be asked about soon.
   void prefetch(plane_id a) const { osteon::prefetch(fast_.arithmetic().plane(a)); }

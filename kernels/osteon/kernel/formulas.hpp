@@ -40,6 +40,7 @@ sign parity(std::array<plane_id, N> planes) {
 /// A linear form  sum c_i sigma_i  in the speeds of at most eight planes, those of two meetings.
 template <class Number>
 struct linear_form {
+  /// A plane's speed with its coefficient.
   struct term {
     plane_id plane;
     Number coefficient;
@@ -74,7 +75,7 @@ class formulas {
   using form = linear_form<number>;
 
   explicit formulas(Arithmetic a) : a_(std::move(a)) {}
-  /// The numbers that the formulas are about.
+  /// Returns the numbers that the formulas are about.
   const Arithmetic& arithmetic() const { return a_; }
 
   /// Returns the coefficient of e^(2m) in the determinant of a corner's normals.

@@ -39,11 +39,17 @@ class integer_planes {
   explicit integer_planes(std::span<const moving_plane<integer, Dimension>> planes) : planes_(planes.begin(), planes.end()) {}
 
   plane_id size() const { return static_cast<plane_id>(planes_.size()); }
+  /// Returns a plane.
   const moving_plane<integer, Dimension>& plane(plane_id i) const { return planes_[i]; }
+  /// Returns a coordinate of a plane's normal.
   const integer& n(plane_id i, int axis) const { return planes_[i].n[axis]; }
+  /// Returns a plane's offset.
   const integer& d(plane_id i) const { return planes_[i].d; }
+  /// Returns a coordinate of a plane's tilt (see perturbation).
   integer u(plane_id i, int axis) const { return perturbation::of(i).u[axis]; }
+  /// Returns the perturbation of a plane's offset.
   integer delta(plane_id i) const { return perturbation::of(i).delta; }
+  /// Returns the sign of a number, exactly.
   sign decide(const integer& x) const { return sign_of(x); }
   /// Returns the sign of D: whether planes meet before, at or after time zero, up to the sign of S.
   sign decide_offset(const integer& d) const { return sign_of(d); }

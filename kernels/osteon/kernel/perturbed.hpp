@@ -32,6 +32,7 @@ class perturbed {
   using corner = corner_planes<dimension>;
   using support = meeting_planes<dimension>;
 
+  /// A meeting of the unperturbed kernel, which may be without a time.
   struct meeting {
     typename K::meeting base;
     sign closing;  ///< of the leading coefficient of S
@@ -44,8 +45,8 @@ class perturbed {
   /// Returns the kernel without the perturbation.
   const K& base() const { return k_; }
 
-  // ---- the concept (see core/kernel.hpp)
-
+  /// The questions of the concept kernel<K, D>, as core/kernel.hpp states them.
+  ///@{
   plane_id size() const { return k_.size(); }
   template <std::same_as<plane_id>... Planes>
   requires(sizeof...(Planes) == dimension) sign orientation(Planes... of)
@@ -92,17 +93,20 @@ class perturbed {
   bisector_type bisector(plane_id a, plane_id b) const { return k_.bisector(a, b); }
   sign compare(const bisector_type& e, const bisector_type& f) const requires(dimension == 3) { return k_.compare(e, f); }
   sign compare_volume(std::span<const triple> s, std::span<const triple> t) const requires(dimension == 3) { return k_.compare_volume(s, t); }
+  ///@}
 
-  // ---- limit_kernel: what becomes of the answers when the perturbation goes to zero
-
+  /// The questions of the concept limit_kernel: what becomes of the answers when the perturbation
+  /// goes to zero.
+  ///@{
   bool has_moment(const meeting& m) const { return m.regular; }
   bool is_never(const meeting& m) const { return !m.regular && k_.offset_at(0, planes(m)) != sign::zero; }
   bool same_moment(const meeting& m, const meeting& n) const { return k_.compare(m.base, n.base) == sign::zero; }
   bool touches(plane_id c, plane_id a, plane_id b, const meeting& m) const requires(dimension == 2) {
     return k_.transversal(a, b) && k_.side(c, a, b, m.base) == sign::zero;
   }
+  ///@}
 
-  // ---- beyond the concept, for algorithms that can use it
+  // Beyond the concept, for algorithms that can use it.
 
   /// Tells the processor that this plane will be asked about soon.
   void prefetch(plane_id a) const requires requires(const K& k) { k.prefetch(a); }

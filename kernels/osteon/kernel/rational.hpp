@@ -68,6 +68,7 @@ class basic_rational_arithmetic : public integer_planes<Dimension> {
   std::vector<integer> speeds_;
 };
 
+/// The arithmetic of rounded speeds in space.
 using rational_arithmetic = basic_rational_arithmetic<3>;
 /// The rational kernel of space.
 using rational_kernel = arithmetic_kernel<rational_arithmetic>;

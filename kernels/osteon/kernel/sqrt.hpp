@@ -117,6 +117,7 @@ class basic_sqrt_arithmetic : public integer_planes<Dimension> {
   bool unit_ = true;
 };
 
+/// The arithmetic of exact speeds in space.
 using sqrt_arithmetic = basic_sqrt_arithmetic<3>;
 /// The square-root kernel of space.
 using sqrt_kernel = arithmetic_kernel<sqrt_arithmetic>;
