@@ -287,7 +287,7 @@ TEST_F(Tampered, LinesOfANodeAreOthers) {
         const auto old = q;
         while (q == old || q[0] == q[1] || q[1] == q[2]) {
           q = old;
-          q[static_cast<std::size_t>(roll.between(0, 2))] = static_cast<plane::line_id>(roll.between(0, one.polygon.boundary.lines - 1));
+          q[static_cast<std::size_t>(roll.between(0, 2))] = static_cast<line_id>(roll.between(0, one.polygon.boundary.lines - 1));
           std::sort(q.begin(), q.end());
         }
       },
@@ -563,15 +563,15 @@ struct blind {
   const K& k;
   triple hidden;
 
-  plane::line_id size() const { return k.size(); }
-  sign orientation(plane::line_id a, plane::line_id b) const { return k.orientation(a, b); }
-  bool transversal(plane::line_id a, plane::line_id b) const { return k.transversal(a, b); }
+  line_id size() const { return k.size(); }
+  sign orientation(line_id a, line_id b) const { return k.orientation(a, b); }
+  bool transversal(line_id a, line_id b) const { return k.transversal(a, b); }
   std::optional<meeting> meet(const triple& q) const { return q == hidden ? std::nullopt : k.meet(q); }
   triple planes(const meeting& m) const { return k.planes(m); }
   sign closing(const meeting& m) const { return k.closing(m); }
   meeting start() const { return k.start(); }
   sign compare(const meeting& m, const meeting& n) const { return k.compare(m, n); }
-  sign side(plane::line_id c, plane::line_id a, plane::line_id b, const meeting& m) const { return k.side(c, a, b, m); }
+  sign side(line_id c, line_id a, line_id b, const meeting& m) const { return k.side(c, a, b, m); }
 };
 
 // Every split of every skeleton is left out once; the event loop goes on without it as long as it can.
