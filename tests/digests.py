@@ -542,7 +542,7 @@ def old_program(options, files):
         try:
             build_old(folder, options.jobs)
         except subprocess.CalledProcessError as failed:
-            sys.exit(f"the program of commit {COMMIT} cannot be built ({failed}); give one with --old")
+            sys.exit(f"the program of commit {COMMIT} cannot be built: {failed.cmd[0]} failed; give it with --old")
     return Program(path, files, options.jobs)
 
 
