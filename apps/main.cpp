@@ -46,16 +46,12 @@ exit_status run(int argc, char** argv) {
   program.failure_message(describe_misuse);
   program.footer("`osteon COMMAND --help` has the options of a command, with examples.\n" + describe_exit_statuses() +
                  "\nExamples:\n  osteon generate star -o star.obj\n  osteon skeleton star.obj --summary");
-  add_skeleton(program);
-  const bool& holds = add_verify(program);
-  add_offset(program);
-  add_roof(program);
-  add_splits(program);
-  add_ambiguity(program);
-  add_generate(program);
+  for (const auto add : add_commands) add(program);
   try {
     program.parse(argc, argv);
-    return holds ? exit_status::done : exit_status::refuted;
+    return exit_status::done;
+  } catch (const CLI::RuntimeError& e) {
+    return static_cast<exit_status>(e.get_exit_code());
   } catch (const CLI::ParseError& e) {
     return program.exit(e, standard_output(), std::cerr) == 0 ? exit_status::done : exit_status::usage;
   }

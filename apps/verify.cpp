@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "documents.hpp"
+#include "exit_status.hpp"
 #include "options.hpp"
 #include "output.hpp"
 
@@ -18,7 +19,6 @@ namespace {
 struct verify_command {
   model input;
   std::string file;
-  bool holds = true;
 
   void add_to(CLI::App& program) {
     CLI::App* c = program.add_subcommand("verify", "check the certificate of a skeleton");
@@ -45,23 +45,22 @@ struct verify_command {
     return osteon::verify(p, d);
   }
 
-  void report(const std::optional<skeleton_refutation>& refuted) {
-    holds = !refuted;
-    nlohmann::ordered_json doc = {{"certified", holds}};
+  static void report(const std::optional<skeleton_refutation>& refuted) {
+    nlohmann::ordered_json doc = {{"certified", !refuted}};
     if (refuted) {
       doc["rule"] = refuted->rule;
       doc["witness"] = refuted->witness;
     }
     standard_output() << doc.dump() << '\n';
+    if (refuted) throw CLI::RuntimeError(static_cast<int>(exit_status::refuted));
   }
 };
 
 }  // namespace
 
-const bool& add_verify(CLI::App& program) {
+void add_verify(CLI::App& program) {
   static verify_command command;
   command.add_to(program);
-  return command.holds;
 }
 
 }  // namespace osteon::app
