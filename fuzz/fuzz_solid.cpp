@@ -11,8 +11,8 @@
 
 #include "check.hpp"
 #include "decode.hpp"
-#include "osteon/input/mesh_repair.hpp"
 #include "osteon/core/error.hpp"
+#include "osteon/input/mesh_repair.hpp"
 #include "osteon/input/solid.hpp"
 #include "shapes.hpp"
 #include "solid_invariants.hpp"

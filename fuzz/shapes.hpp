@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "decode.hpp"
-#include "osteon/input/mesh_repair.hpp"
 #include "osteon/input/geometry.hpp"
 #include "osteon/input/mesh.hpp"
+#include "osteon/input/mesh_repair.hpp"
 #include "osteon/input/solid.hpp"
 #include "osteon/kernel/integer.hpp"
 #include "osteon/models/registry.hpp"

@@ -176,8 +176,7 @@ class examination {
         const auto m = exact_.meet(r);
         const auto n = quick_.meet(r);
         EXPECT_TRUE(!m || exact_.planes(*m) == sorted(r)) << describe("planes", r);
-        return check("closing", oracle_.closing(sorted(r)), m ? exact_.closing(*m) : sign::zero, n ? quick_.closing(*n) : sign::zero,
-                     sorted(r));
+        return check("closing", oracle_.closing(sorted(r)), m ? exact_.closing(*m) : sign::zero, n ? quick_.closing(*n) : sign::zero, sorted(r));
       }
       case question::compare: {
         if (oracle_.closing(q) == sign::zero || oracle_.closing(r) == sign::zero) return std::nullopt;

@@ -18,8 +18,8 @@
 
 #include "osteon/core/kernel.hpp"
 #include "osteon/input/moving_plane.hpp"
-#include "osteon/kernel/perturbation.hpp"
 #include "osteon/kernel/integer.hpp"
+#include "osteon/kernel/perturbation.hpp"
 
 namespace osteon::oracles {
 
