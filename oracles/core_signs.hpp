@@ -2,15 +2,18 @@
 #pragma once
 
 /// \file
-/// Every predicate of the kernels by CGAL's CORE::Expr, whose square roots are exact and whose zero test is a root bound.
-/// Shares no formula with the kernels: times are quotients, vertices come from Cramer's rule, volumes from tetrahedra,
-/// coefficients of the infinitesimal from polynomials.
+/// Every predicate of the kernels, in the plane and in space, by CGAL's CORE::Expr, whose square roots are exact and
+/// whose zero test is a root bound. Shares no formula with the kernels: determinants are sums over permutations, times
+/// quotients, vertices come from Cramer's rule, volumes from tetrahedra, coefficients of the infinitesimal from polynomials.
 
 #include <CGAL/CORE_BigInt.h>
 #include <CGAL/CORE_Expr.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -23,44 +26,58 @@
 
 namespace osteon::oracles {
 
-/// The planes n . x = d - t w |n|.
+/// The planes n . x = d - t w |n| in a space of dimension D.
+template <int D>
 class core_signs {
  public:
-  explicit core_signs(std::span<const moving_plane<integer>> planes) {
+  using corner = corner_planes<D>;
+  using support = meeting_planes<D>;
+
+  explicit core_signs(std::span<const moving_plane<integer, D>> planes) {
     std::map<integer, CORE::Expr> roots;  // one number for equal lengths keeps root bounds small
     for (const auto& p : planes) {
-      const integer square = p.weight * p.weight * (p.n[0] * p.n[0] + p.n[1] * p.n[1] + p.n[2] * p.n[2]);
+      plane made;
+      integer square = 0;
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        square += p.n[axis] * p.n[axis];
+        made.n[axis] = number(p.n[axis]);
+      }
+      square *= p.weight * p.weight;
       const auto [at, fresh] = roots.try_emplace(square);
       if (fresh) at->second = CORE::sqrt(CORE::Expr(number(square)));
-      planes_.push_back({{number(p.n[0]), number(p.n[1]), number(p.n[2])}, number(p.d), at->second});
+      made.d = number(p.d);
+      made.sigma = at->second;
+      planes_.push_back(made);
     }
   }
 
-  sign orientation(plane_id a, plane_id b, plane_id c) const { return of(determinant(n(a), n(b), n(c))); }
+  sign orientation(const corner& c) const { return of(determinant(normals(c))); }
 
   /// Sign of S, planes in this order.
-  sign closing(const quadruple& q) const { return of(speed(q)); }
+  sign closing(const support& q) const { return of(speed(q)); }
 
   /// Order of the times of two meetings, which must exist.
-  sign compare(const quadruple& q, const quadruple& r) const { return of(time(q) - time(r)); }
+  sign compare(const support& q, const support& r) const { return of(time(q) - time(r)); }
 
-  /// Order of the time of a meeting and a moment just after zero.
-  sign compare_with_start(const quadruple& q) const { return of(time(q)) == sign::positive ? sign::positive : sign::negative; }
+  /// Order of the time of a meeting and a time just after zero.
+  sign compare_with_start(const support& q) const { return of(time(q)) == sign::positive ? sign::positive : sign::negative; }
 
-  /// The corner (a,b,c) against plane d when the planes of q meet.
-  sign side(plane_id d, const triple& corner, const quadruple& q) const {
-    const auto h = height(d, corner);
-    return of(CORE::Expr(h.now) - time(q) * h.loss) * h.corner;
+  /// The corner against plane d when the planes of q meet.
+  sign side(plane_id d, const corner& c, const support& q) const {
+    const auto h = height(d, c);
+    return of(CORE::Expr(h.now) - time(q) * h.loss) * h.orientation;
   }
 
   /// The same just after the beginning, for planes that share a point at the beginning.
-  sign side_at_start(plane_id d, const triple& corner) const {
-    const auto h = height(d, corner);
-    return of(CORE::Expr(0) - h.loss) * h.corner;
+  sign side_at_start(plane_id d, const corner& c) const {
+    const auto h = height(d, c);
+    return of(CORE::Expr(0) - h.loss) * h.orientation;
   }
 
+  // ---- in space
+
   /// Order of the angles between the normals of a and b and of c and d.
-  sign compare_angles(plane_id a, plane_id b, plane_id c, plane_id d) const {
+  sign compare_angles(plane_id a, plane_id b, plane_id c, plane_id d) const requires(D == 3) {
     const auto cosine = [this](plane_id i, plane_id j) {
       return CORE::Expr(dot(n(i), n(j))) / CORE::sqrt(CORE::Expr(dot(n(i), n(i)) * dot(n(j), n(j))));
     };
@@ -71,7 +88,7 @@ class core_signs {
   /// adds to a volume, T(abc) - T(abd) + T(acd) - T(bcd) is the volume of a tetrahedron with the sign of the orientation,
   /// -S^3 / (6 product of the lambdas); so every triangle can be replaced by three with one plane in common and a tetrahedron, and the
   /// three add up to the same for both triangulations. Nothing where some lambda is zero.
-  std::optional<sign> compare_volume(std::span<const triple> s, std::span<const triple> t) const {
+  std::optional<sign> compare_volume(std::span<const triple> s, std::span<const triple> t) const requires(D == 3) {
     const plane_id common = s[0][0];
     CORE::Expr difference = 0;
     for (const auto& [tree, factor] : {std::pair(s, 1), std::pair(t, -1)})
@@ -89,10 +106,10 @@ class core_signs {
 
   // ---- coefficients of e^grade for the planes n + e^2 u, d + e delta
 
-  sign orientation_at(int grade, const triple& t) const { return of(at(minor(t), grade)); }
-  sign offset_at(int grade, const quadruple& q) const { return of(at(tilted_offset(q), grade)); }
-  sign closing_at(int grade, const quadruple& q) const { return of(tilted_speed(q, grade)); }
-  sign cross_at(int grade, const quadruple& q, const quadruple& r) const {
+  sign orientation_at(int grade, const corner& c) const { return of(at(minor(c), grade)); }
+  sign offset_at(int grade, const support& q) const { return of(at(tilted_offset(q), grade)); }
+  sign closing_at(int grade, const support& q) const { return of(tilted_speed(q, grade)); }
+  sign cross_at(int grade, const support& q, const support& r) const {
     const polynomial d = tilted_offset(q);
     const polynomial e = tilted_offset(r);
     CORE::Expr sum = 0;
@@ -101,17 +118,18 @@ class core_signs {
   }
 
  private:
-  using vector = std::array<CORE::BigInt, 3>;
+  using vector = std::array<CORE::BigInt, D>;
+  using matrix = std::array<vector, D>;
   using polynomial = std::vector<CORE::BigInt>;
   struct plane {
     vector n;
     CORE::BigInt d;
     CORE::Expr sigma;
   };
-  struct moving_height {  // now - t loss, times the sign of the corner
+  struct moving_height {  // now - t loss, times the sign of the corner's orientation
     CORE::BigInt now;
     CORE::Expr loss;
-    sign corner;
+    sign orientation;
   };
 
   static CORE::BigInt number(const integer& x) { return CORE::BigInt(x.backend().data()); }
@@ -122,48 +140,85 @@ class core_signs {
   const CORE::BigInt& d(plane_id i) const { return planes_[static_cast<std::size_t>(i)].d; }
   const CORE::Expr& sigma(plane_id i) const { return planes_[static_cast<std::size_t>(i)].sigma; }
 
-  static CORE::BigInt dot(const vector& a, const vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-  static CORE::BigInt determinant(const vector& a, const vector& b, const vector& c) {  // Sarrus
-    return a[0] * b[1] * c[2] + a[1] * b[2] * c[0] + a[2] * b[0] * c[1] - a[2] * b[1] * c[0] - a[1] * b[0] * c[2] - a[0] * b[2] * c[1];
+  static CORE::BigInt dot(const vector& a, const vector& b) {
+    CORE::BigInt sum = 0;
+    for (std::size_t axis = 0; axis < D; ++axis) sum += a[axis] * b[axis];
+    return sum;
   }
 
-  // The cofactors of the last column of the matrix with rows (n, *).
-  std::array<CORE::BigInt, 4> lambda(const quadruple& q) const {
-    std::array<CORE::BigInt, 4> result;
-    for (std::size_t r = 0; r < 4; ++r) {
-      triple t{};
-      for (std::size_t s = 0, k = 0; s < 4; ++s)
-        if (s != r) t[k++] = q[s];
-      result[r] = determinant(n(t[0]), n(t[1]), n(t[2]));
-      if (r % 2 == 0) result[r] = -result[r];
+  // Calls visit(order, factor) for all permutations of the axes; the factor is the permutation's sign.
+  template <class Visit>
+  static void for_each_permutation(Visit visit) {
+    std::array<std::size_t, D> order{};
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    do {
+      int inversions = 0;
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < i; ++j) inversions += order[j] > order[i] ? 1 : 0;
+      visit(order, inversions % 2 == 0 ? 1 : -1);
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
+
+  static CORE::BigInt determinant(const matrix& m) {  // Leibniz
+    CORE::BigInt sum = 0;
+    for_each_permutation([&](const auto& order, int factor) {
+      CORE::BigInt product = factor;
+      for (std::size_t row = 0; row < D; ++row) product *= m[row][order[row]];
+      sum += product;
+    });
+    return sum;
+  }
+
+  matrix normals(const corner& c) const {
+    matrix m;
+    for (std::size_t r = 0; r < D; ++r) m[r] = n(c[r]);
+    return m;
+  }
+
+  // The planes without number r, and the sign of their minor in the last column of the matrix with rows (n, *).
+  static std::pair<corner, int> cofactor(const support& q, std::size_t r) {
+    corner c{};
+    for (std::size_t s = 0, k = 0; s <= D; ++s)
+      if (s != r) c[k++] = q[s];
+    return {c, (r + D) % 2 == 0 ? 1 : -1};
+  }
+
+  std::array<CORE::BigInt, D + 1> lambda(const support& q) const {
+    std::array<CORE::BigInt, D + 1> result;
+    for (std::size_t r = 0; r <= D; ++r) {
+      const auto [c, factor] = cofactor(q, r);
+      result[r] = determinant(normals(c)) * CORE::BigInt(factor);
     }
     return result;
   }
 
-  CORE::Expr speed(const quadruple& q) const {
+  CORE::Expr speed(const support& q) const {
     const auto l = lambda(q);
     CORE::Expr sum = 0;
-    for (std::size_t r = 0; r < 4; ++r) sum += CORE::Expr(l[r]) * sigma(q[r]);
+    for (std::size_t r = 0; r <= D; ++r) sum += CORE::Expr(l[r]) * sigma(q[r]);
     return sum;
   }
 
-  CORE::Expr time(const quadruple& q) const {
+  CORE::Expr time(const support& q) const {
     const auto [at, fresh] = times_.try_emplace(q);
     if (fresh) {
       const auto l = lambda(q);
       CORE::BigInt offset = 0;
-      for (std::size_t r = 0; r < 4; ++r) offset += l[r] * d(q[r]);
+      for (std::size_t r = 0; r <= D; ++r) offset += l[r] * d(q[r]);
       at->second = CORE::Expr(offset) / speed(q);
     }
     return at->second;
   }
 
-  // The corner is x = sum (d_i - t sigma_i) n_j x n_k / det.
-  moving_height height(plane_id above, const triple& c) const {
-    const CORE::BigInt det = determinant(n(c[0]), n(c[1]), n(c[2]));
+  // The corner is x = sum (d_r - t sigma_r) y_r / det, where y_r is the vector with n . y_r = the determinant with n in row r.
+  moving_height height(plane_id above, const corner& c) const {
+    const matrix m = normals(c);
+    const CORE::BigInt det = determinant(m);
     moving_height h{det * d(above), CORE::Expr(det) * sigma(above), of(det)};
-    for (std::size_t r = 0; r < 3; ++r) {
-      const CORE::BigInt share = determinant(n(above), n(c[(r + 1) % 3]), n(c[(r + 2) % 3]));
+    for (std::size_t r = 0; r < D; ++r) {
+      matrix replaced = m;
+      replaced[r] = n(above);
+      const CORE::BigInt share = determinant(replaced);
       h.now -= share * d(c[r]);
       h.loss -= CORE::Expr(share) * sigma(c[r]);
     }
@@ -186,42 +241,42 @@ class core_signs {
 
   polynomial entry(plane_id p, std::size_t axis) const { return {n(p)[axis], CORE::BigInt(0), CORE::BigInt(perturbation::of(p).u[axis])}; }
 
-  polynomial minor(const triple& t) const {
-    static constexpr std::array<std::array<std::size_t, 3>, 6> orders = {{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}, {1, 0, 2}, {0, 2, 1}}};
+  polynomial minor(const corner& c) const {
     polynomial sum;
-    for (std::size_t o = 0; o < 6; ++o)
-      add(sum, product(product(entry(t[0], orders[o][0]), entry(t[1], orders[o][1])), entry(t[2], orders[o][2])), o < 3 ? 1 : -1);
+    for_each_permutation([&](const auto& order, int factor) {
+      polynomial term = {CORE::BigInt(1)};
+      for (std::size_t row = 0; row < D; ++row) term = product(term, entry(c[row], order[row]));
+      add(sum, term, factor);
+    });
     return sum;
   }
 
-  std::array<polynomial, 4> tilted_lambda(const quadruple& q) const {
-    std::array<polynomial, 4> result;
-    for (std::size_t r = 0; r < 4; ++r) {
-      triple t{};
-      for (std::size_t s = 0, k = 0; s < 4; ++s)
-        if (s != r) t[k++] = q[s];
-      add(result[r], minor(t), r % 2 == 0 ? -1 : 1);
+  std::array<polynomial, D + 1> tilted_lambda(const support& q) const {
+    std::array<polynomial, D + 1> result;
+    for (std::size_t r = 0; r <= D; ++r) {
+      const auto [c, factor] = cofactor(q, r);
+      add(result[r], minor(c), factor);
     }
     return result;
   }
 
-  polynomial tilted_offset(const quadruple& q) const {
+  polynomial tilted_offset(const support& q) const {
     const auto l = tilted_lambda(q);
     polynomial sum;
-    for (std::size_t r = 0; r < 4; ++r) add(sum, product(l[r], {d(q[r]), CORE::BigInt(perturbation::of(q[r]).delta)}), 1);
+    for (std::size_t r = 0; r <= D; ++r) add(sum, product(l[r], {d(q[r]), CORE::BigInt(perturbation::of(q[r]).delta)}), 1);
     return sum;
   }
 
-  CORE::Expr tilted_speed(const quadruple& q, int grade) const {
+  CORE::Expr tilted_speed(const support& q, int grade) const {
     const auto l = tilted_lambda(q);
     CORE::Expr sum = 0;
-    for (std::size_t r = 0; r < 4; ++r)
+    for (std::size_t r = 0; r <= D; ++r)
       if (const CORE::BigInt c = at(l[r], grade); CORE::sign(c) != 0) sum += CORE::Expr(c) * sigma(q[r]);
     return sum;
   }
 
   std::vector<plane> planes_;
-  mutable std::map<quadruple, CORE::Expr> times_;
+  mutable std::map<support, CORE::Expr> times_;
 };
 
 }  // namespace osteon::oracles

@@ -1,291 +1,319 @@
 // SPDX-License-Identifier: MIT
-// The concept `kernel` is what the algorithms use, no more and no less: an archetype that satisfies it and can do nothing
-// else compiles with all of them, and types that miss one clause do not satisfy it.
+
+// The concept `kernel` is what the algorithms use, no more and no less. Here: types that miss one clause are no kernels, in
+// the plane and in space. That the algorithms need no more show archetype_test.cpp and planar_archetype_test.cpp.
+
 #include <gtest/gtest.h>
 
+#include <array>
 #include <optional>
 #include <span>
-#include <vector>
 
-#include "osteon/core/error.hpp"
+#include "archetype.hpp"
 #include "osteon/core/kernel.hpp"
 #include "osteon/core/sign.hpp"
 #include "osteon/kernel/filtered.hpp"
 #include "osteon/kernel/perturbed.hpp"
-#include "osteon/space/boundary.hpp"
-#include "osteon/space/propagate.hpp"
-#include "osteon/space/split.hpp"
 
 namespace osteon {
 namespace {
 
-// Converts to Target and does nothing else.
-template <class Target>
-struct convertible {
-  Target value;
-  constexpr operator Target() const { return value; }  // NOLINT(google-explicit-constructor): that is all it has
-  convertible& operator=(const convertible&) = delete;
-};
+using test::archetype;
+using test::weakest;
 
-// Always the same answer. No default constructor, no copies, no comparison of meetings, nothing beyond the concept.
-template <bool IsExact>
-struct archetype {
-  static constexpr convertible<bool> exact{IsExact};
+static_assert(kernel<weakest<2>, 2> && kernel<archetype<2, false>, 2>);
+static_assert(kernel<weakest<3>, 3> && kernel<archetype<3, false>, 3>);
+static_assert(!kernel<weakest<2>, 3> && !kernel<weakest<3>, 2> && !kernel<weakest<2>, 4>);
+static_assert(!tie_breaking_kernel<weakest<2>, 2> && !tie_breaking_kernel<weakest<3>, 3> && !limit_kernel<weakest<2>>);
 
-  // Meetings are kept in queues and optionals, so they can be copied; they cannot be made, compared or hashed.
-  struct meeting {
-    meeting() = delete;
-    meeting(const meeting&) = default;
-    meeting(meeting&&) = default;
-    meeting& operator=(const meeting&) = default;
-    meeting& operator=(meeting&&) = default;
-    ~meeting() = default;
-    void operator&() const = delete;
-    template <class T>
-    void operator,(T&&) const = delete;
+// ---- near misses, one per clause. Each hides one member of the archetype, in which a reader finds what is wrong. Those that
+// concern planes one by one have the member for lines and for planes.
 
-   private:
-    friend archetype;
-    explicit meeting(const quadruple& q) : planes(q) {}
-    quadruple planes;
-  };
-
-  // Bisectors are compared where they are made.
-  struct bisector_type {
-    bisector_type() = delete;
-    bisector_type(const bisector_type&) = delete;
-    bisector_type& operator=(const bisector_type&) = delete;
-    ~bisector_type() = default;
-
-   private:
-    friend archetype;
-    explicit bisector_type(int) {}
-  };
-
-  archetype() = delete;
-  explicit archetype(sign s) : answer(s) {}
-  archetype(const archetype&) = delete;
-  archetype& operator=(const archetype&) = delete;
-  ~archetype() = default;
-
-  plane_id size() const { return 0; }
-  sign orientation(plane_id, plane_id, plane_id) const { return answer; }
-  bool transversal(plane_id, plane_id, plane_id) const { return true; }
-  std::optional<meeting> meet(const quadruple& q) const { return meeting(q); }
-  const quadruple& planes(const meeting& m) const { return m.planes; }
-  sign closing(const meeting&) const { return answer; }
-  meeting start() const { return meeting({-1, -1, -1, -1}); }
-  sign compare(const meeting&, const meeting&) const { return answer; }
-  sign side(plane_id, plane_id, plane_id, plane_id, const meeting&) const { return answer; }
-  bisector_type bisector(plane_id, plane_id) const { return bisector_type(0); }
-  sign compare(const bisector_type&, const bisector_type&) const { return answer; }
-  sign compare_volume(std::span<const triple>, std::span<const triple>) const { return answer; }
-
- private:
-  sign answer;
-};
-
-using weakest = archetype<true>;
-static_assert(kernel<weakest, 3>);
-static_assert(kernel<archetype<false>, 3>);
-static_assert(!graded_kernel<weakest>);
-
-// ---- near misses, one per clause. Each hides one member of the archetype, in which a reader finds what is wrong.
-
-struct exact_is_no_bool : weakest {
+template <int D>
+struct exact_is_no_bool : weakest<D> {
   struct text {};
   static constexpr text exact{};
 };
-struct without_exact : weakest {
+template <int D>
+struct without_exact : weakest<D> {
  private:
-  using weakest::exact;
+  using weakest<D>::exact;
 };
-struct without_meeting : weakest {
+template <int D>
+struct without_meeting : weakest<D> {
  private:
-  using weakest::meeting;
+  using typename weakest<D>::meeting;
 };
-struct without_bisector_type : weakest {
- private:
-  using weakest::bisector_type;
+template <int D>
+struct meeting_cannot_be_copied : weakest<D> {
+  struct meeting {
+    meeting(const meeting&) = delete;
+  };
 };
-struct size_is_unsigned : weakest {
+template <int D>
+struct size_is_unsigned : weakest<D> {
   unsigned size() const;
 };
-struct size_of_a_variable : weakest {
+template <int D>
+struct size_of_a_variable : weakest<D> {
   plane_id size();
 };
-struct orientation_is_int : weakest {
+template <int D>
+struct meet_always_meets : weakest<D> {
+  typename weakest<D>::meeting meet(const meeting_planes<D>&) const;
+};
+template <int D>
+struct meet_of_a_corner : weakest<D> {
+  std::optional<typename weakest<D>::meeting> meet(const corner_planes<D>&) const;
+};
+template <int D>
+struct meet_of_planes_apart : weakest<D> {
+  std::optional<typename weakest<D>::meeting> meet(plane_id, plane_id, plane_id) const;
+  std::optional<typename weakest<D>::meeting> meet(plane_id, plane_id, plane_id, plane_id) const;
+};
+template <int D>
+struct planes_are_a_corner : weakest<D> {
+  corner_planes<D> planes(const typename weakest<D>::meeting&) const;
+};
+template <int D>
+struct closing_is_bool : weakest<D> {
+  bool closing(const typename weakest<D>::meeting&) const;
+};
+template <int D>
+struct closing_changes_the_meeting : weakest<D> {
+  sign closing(typename weakest<D>::meeting&) const;
+};
+template <int D>
+struct start_may_be_missing : weakest<D> {
+  std::optional<typename weakest<D>::meeting> start() const;
+};
+template <int D>
+struct compare_is_bool : weakest<D> {
+  using weakest<D>::compare;
+  bool compare(const typename weakest<D>::meeting&, const typename weakest<D>::meeting&) const;
+};
+template <int D>
+struct compares_no_meetings : weakest<D> {
+  template <class Bisector>
+  sign compare(const Bisector&, const Bisector&) const requires(!std::same_as<Bisector, typename weakest<D>::meeting>);
+};
+template <int D>
+struct orientation_is_int : weakest<D> {
+  int orientation(plane_id, plane_id) const;
   int orientation(plane_id, plane_id, plane_id) const;
 };
-struct orientation_may_be_open : weakest {
+template <int D>
+struct orientation_may_be_open : weakest<D> {
+  std::optional<sign> orientation(plane_id, plane_id) const;
   std::optional<sign> orientation(plane_id, plane_id, plane_id) const;
 };
-struct orientation_of_two : weakest {
-  sign orientation(plane_id, plane_id) const;
+template <int D>
+struct orientation_of_a_meeting : weakest<D> {
+  sign orientation(const meeting_planes<D>&) const;
 };
-struct transversal_is_a_sign : weakest {
+template <int D>
+struct transversal_is_a_sign : weakest<D> {
+  sign transversal(plane_id, plane_id) const;
   sign transversal(plane_id, plane_id, plane_id) const;
 };
-struct without_transversal : weakest {
+template <int D>
+struct without_transversal : weakest<D> {
  private:
-  using weakest::transversal;
+  using weakest<D>::transversal;
 };
-struct meet_always_meets : weakest {
-  meeting meet(const quadruple&) const;
+template <int D>
+struct side_is_int : weakest<D> {
+  int side(plane_id, plane_id, plane_id, const typename weakest<D>::meeting&) const;
+  int side(plane_id, plane_id, plane_id, plane_id, const typename weakest<D>::meeting&) const;
 };
-struct meet_of_four : weakest {
-  std::optional<meeting> meet(plane_id, plane_id, plane_id, plane_id) const;
+template <int D>
+struct side_at_no_moment : weakest<D> {
+  sign side(plane_id, plane_id, plane_id) const;
+  sign side(plane_id, plane_id, plane_id, plane_id) const;
 };
-struct planes_is_a_triple : weakest {
-  triple planes(const meeting&) const;
+
+template <int D>
+inline constexpr bool all_miss =
+    !(kernel<int, D> || kernel<exact_is_no_bool<D>, D> || kernel<without_exact<D>, D> || kernel<without_meeting<D>, D> ||
+      kernel<meeting_cannot_be_copied<D>, D> || kernel<size_is_unsigned<D>, D> || kernel<size_of_a_variable<D>, D> ||
+      kernel<meet_always_meets<D>, D> || kernel<meet_of_a_corner<D>, D> || kernel<meet_of_planes_apart<D>, D> || kernel<planes_are_a_corner<D>, D> ||
+      kernel<closing_is_bool<D>, D> || kernel<closing_changes_the_meeting<D>, D> || kernel<start_may_be_missing<D>, D> ||
+      kernel<compare_is_bool<D>, D> || kernel<compares_no_meetings<D>, D> || kernel<orientation_is_int<D>, D> ||
+      kernel<orientation_may_be_open<D>, D> || kernel<orientation_of_a_meeting<D>, D> || kernel<transversal_is_a_sign<D>, D> ||
+      kernel<without_transversal<D>, D> || kernel<side_is_int<D>, D> || kernel<side_at_no_moment<D>, D>);
+static_assert(all_miss<2> && all_miss<3>);
+
+// ---- clauses of space alone
+
+using bisector_type = weakest<3>::bisector_type;
+struct without_bisector_type : weakest<3> {
+ private:
+  using weakest<3>::bisector_type;
 };
-struct closing_is_bool : weakest {
-  bool closing(const meeting&) const;
-};
-struct closing_changes_the_meeting : weakest {
-  sign closing(meeting&) const;
-};
-struct start_may_be_missing : weakest {
-  std::optional<meeting> start() const;
-};
-struct compare_is_bool : weakest {
-  bool compare(const meeting&, const meeting&) const;
-  sign compare(const bisector_type&, const bisector_type&) const;
-};
-struct compares_no_meetings : weakest {
-  sign compare(const bisector_type&, const bisector_type&) const;
-};
-struct compares_no_bisectors : weakest {
+struct compares_no_bisectors : weakest<3> {
   sign compare(const meeting&, const meeting&) const;
 };
-struct compares_bisectors_as_bool : weakest {
+struct compares_bisectors_as_bool : weakest<3> {
   sign compare(const meeting&, const meeting&) const;
   bool compare(const bisector_type&, const bisector_type&) const;
 };
-struct side_is_int : weakest {
-  int side(plane_id, plane_id, plane_id, plane_id, const meeting&) const;
-};
-struct side_at_no_moment : weakest {
-  sign side(plane_id, plane_id, plane_id, plane_id) const;
-};
-struct bisector_is_a_pointer : weakest {
+struct bisector_is_a_pointer : weakest<3> {
   const bisector_type* bisector(plane_id, plane_id) const;
 };
-struct compare_volume_is_a_number : weakest {
+struct compare_volume_is_a_number : weakest<3> {
   double compare_volume(std::span<const triple>, std::span<const triple>) const;
 };
-struct compare_volume_changes_the_tree : weakest {
+struct compare_volume_changes_the_tree : weakest<3> {
   sign compare_volume(std::span<triple>, std::span<triple>) const;
 };
 
 template <class... Types>
-inline constexpr bool none_is_a_kernel = (!kernel<Types, 3> && ...);
-
-static_assert(none_is_a_kernel<int, exact_is_no_bool, without_exact, without_meeting, without_bisector_type, size_is_unsigned, size_of_a_variable,
-                               orientation_is_int, orientation_may_be_open, orientation_of_two, transversal_is_a_sign, without_transversal,
-                               meet_always_meets, meet_of_four, planes_is_a_triple, closing_is_bool, closing_changes_the_meeting,
-                               start_may_be_missing, compare_is_bool, compares_no_meetings, compares_no_bisectors, compares_bisectors_as_bool,
-                               side_is_int, side_at_no_moment, bisector_is_a_pointer, compare_volume_is_a_number, compare_volume_changes_the_tree>);
+inline constexpr bool none_is_a_kernel_of_space = (!kernel<Types, 3> && ...);
+static_assert(none_is_a_kernel_of_space<without_bisector_type, compares_no_bisectors, compares_bisectors_as_bool, bisector_is_a_pointer,
+                                        compare_volume_is_a_number, compare_volume_changes_the_tree>);
 
 // The hiding as such is not what fails.
-struct hides_nothing_wrong : weakest {
+template <int D>
+struct hides_nothing_wrong : weakest<D> {
+  using meeting = typename weakest<D>::meeting;
+  using weakest<D>::compare;
+  plane_id size() const;
+  std::optional<meeting> meet(const meeting_planes<D>&) const;
+  meeting_planes<D> planes(const meeting&) const;
+  sign closing(const meeting&) const;
+  meeting start() const;
+  sign compare(const meeting&, const meeting&) const;
+  sign orientation(plane_id, plane_id) const;
   sign orientation(plane_id, plane_id, plane_id) const;
-  std::optional<meeting> meet(const quadruple&) const;
+  bool transversal(plane_id, plane_id) const;
+  bool transversal(plane_id, plane_id, plane_id) const;
+  sign side(plane_id, plane_id, plane_id, const meeting&) const;
+  sign side(plane_id, plane_id, plane_id, plane_id, const meeting&) const;
 };
-static_assert(kernel<hides_nothing_wrong, 3>);
+static_assert(kernel<hides_nothing_wrong<2>, 2> && kernel<hides_nothing_wrong<3>, 3>);
+
+// ---- kernels that break ties, and that know limits
+
+template <int D>
+struct tie_breaker : hides_nothing_wrong<D> {
+  static constexpr bool breaks_ties = true;
+  const weakest<D>& base() const;
+};
+template <int D>
+struct breaks_no_ties : tie_breaker<D> {
+  static constexpr bool breaks_ties = false;
+};
+template <int D>
+struct base_is_no_kernel : tie_breaker<D> {
+  int base() const;
+};
+template <int D>
+struct base_of_the_other_dimension : tie_breaker<D> {
+  const weakest<5 - D>& base() const;
+};
+template <int D>
+struct without_breaks_ties : hides_nothing_wrong<D> {
+  const weakest<D>& base() const;
+};
+template <int D>
+inline constexpr bool only_the_first_breaks_ties =
+    tie_breaking_kernel<tie_breaker<D>, D> && !tie_breaking_kernel<breaks_no_ties<D>, D> && !tie_breaking_kernel<base_is_no_kernel<D>, D> &&
+    !tie_breaking_kernel<base_of_the_other_dimension<D>, D> && !tie_breaking_kernel<without_breaks_ties<D>, D>;
+static_assert(only_the_first_breaks_ties<2> && only_the_first_breaks_ties<3>);
+
+struct knows_limits : hides_nothing_wrong<2> {
+  bool has_moment(const meeting&) const;
+  bool is_never(const meeting&) const;
+  bool same_moment(const meeting&, const meeting&) const;
+  bool touches(line_id, line_id, line_id, const meeting&) const;
+};
+struct has_moment_is_a_sign : knows_limits {
+  sign has_moment(const meeting&) const;
+};
+struct without_never : knows_limits {
+ private:
+  using knows_limits::is_never;
+};
+struct same_moment_of_one : knows_limits {
+  bool same_moment(const meeting&) const;
+};
+struct touches_at_no_moment : knows_limits {
+  bool touches(line_id, line_id, line_id) const;
+};
+static_assert(limit_kernel<knows_limits> && !limit_kernel<has_moment_is_a_sign> && !limit_kernel<without_never> &&
+              !limit_kernel<same_moment_of_one> && !limit_kernel<touches_at_no_moment>);
 
 // ---- the graded archetype: what the adaptors need. They keep a kernel, so it can be moved.
 
+template <int D>
 struct graded_archetype {
   static constexpr bool exact = true;
-  static constexpr int dimension = 3;
-  using meeting = weakest::meeting;
-  using bisector_type = weakest::bisector_type;
+  static constexpr int dimension = D;
+  using corner = corner_planes<D>;
+  using support = meeting_planes<D>;
+  using meeting = typename weakest<D>::meeting;
+  using bisector_type = osteon::bisector_type;
 
   graded_archetype() = delete;
   graded_archetype(graded_archetype&&) = default;
 
   plane_id size() const;
-  sign orientation(plane_id, plane_id, plane_id) const;
-  bool transversal(plane_id, plane_id, plane_id) const;
-  std::optional<meeting> meet(const quadruple&) const;
-  quadruple planes(const meeting&) const;
+  sign orientation(plane_id, plane_id) const requires(D == 2);
+  sign orientation(plane_id, plane_id, plane_id) const requires(D == 3);
+  bool transversal(plane_id, plane_id) const requires(D == 2);
+  bool transversal(plane_id, plane_id, plane_id) const requires(D == 3);
+  std::optional<meeting> meet(const support&) const;
+  support planes(const meeting&) const;
   sign closing(const meeting&) const;
   meeting start() const;
   sign compare(const meeting&, const meeting&) const;
-  sign side(plane_id, plane_id, plane_id, plane_id, const meeting&) const;
+  sign side(plane_id, plane_id, plane_id, const meeting&) const requires(D == 2);
+  sign side(plane_id, plane_id, plane_id, plane_id, const meeting&) const requires(D == 3);
   bisector_type bisector(plane_id, plane_id) const;
   sign compare(const bisector_type&, const bisector_type&) const;
   sign compare_volume(std::span<const triple>, std::span<const triple>) const;
-  sign orientation_at(int, const triple&) const;
-  sign offset_at(int, const quadruple&) const;
-  sign closing_at(int, const quadruple&) const;
-  sign cross_at(int, const quadruple&, const quadruple&) const;
-  meeting meeting_of(const quadruple&) const;
+  sign orientation_at(int, const corner&) const;
+  sign offset_at(int, const support&) const;
+  sign closing_at(int, const support&) const;
+  sign cross_at(int, const support&, const support&) const;
+  meeting meeting_of(const support&) const;
 };
-static_assert(graded_kernel<graded_archetype>);
-static_assert(graded_kernel<filtered<graded_archetype>>);
-static_assert(kernel<perturbed<graded_archetype>, 3>);
-static_assert(kernel<perturbed<filtered<graded_archetype>>, 3>);
-static_assert(!graded_kernel<perturbed<graded_archetype>>);
 
-struct without_offset : graded_archetype {
+template <int D>
+struct without_offset : graded_archetype<D> {
  private:
-  using graded_archetype::offset_at;
+  using graded_archetype<D>::offset_at;
 };
-struct closing_at_may_be_open : graded_archetype {
-  std::optional<sign> closing_at(int, const quadruple&) const;
+template <int D>
+struct closing_at_may_be_open : graded_archetype<D> {
+  std::optional<sign> closing_at(int, const meeting_planes<D>&) const;
 };
-struct meeting_of_may_be_missing : graded_archetype {
-  std::optional<meeting> meeting_of(const quadruple&) const;
+template <int D>
+struct meeting_of_may_be_missing : graded_archetype<D> {
+  std::optional<typename weakest<D>::meeting> meeting_of(const meeting_planes<D>&) const;
 };
-struct cross_of_one : graded_archetype {
-  sign cross_at(int, const quadruple&) const;
+template <int D>
+struct cross_of_one : graded_archetype<D> {
+  sign cross_at(int, const meeting_planes<D>&) const;
 };
-struct orientation_at_is_int : graded_archetype {
-  int orientation_at(int, const triple&) const;
+template <int D>
+struct orientation_at_is_int : graded_archetype<D> {
+  int orientation_at(int, const corner_planes<D>&) const;
 };
-static_assert(kernel<without_offset, 3> && !graded_kernel<without_offset>);
-static_assert(kernel<closing_at_may_be_open, 3> && !graded_kernel<closing_at_may_be_open>);
-static_assert(kernel<meeting_of_may_be_missing, 3> && !graded_kernel<meeting_of_may_be_missing>);
-static_assert(kernel<cross_of_one, 3> && !graded_kernel<cross_of_one>);
-static_assert(kernel<orientation_at_is_int, 3> && !graded_kernel<orientation_at_is_int>);
+template <template <int> class Type, int D>
+inline constexpr bool is_ungraded_kernel = kernel<Type<D>, D> && !graded_kernel<Type<D>>;
+template <int D>
+inline constexpr bool adaptors_need_grades =
+    graded_kernel<graded_archetype<D>>&& graded_kernel<filtered<graded_archetype<D>>>&& kernel<perturbed<graded_archetype<D>>, D>&&
+        kernel<perturbed<filtered<graded_archetype<D>>>, D>&& tie_breaking_kernel<perturbed<graded_archetype<D>>, D> &&
+    !graded_kernel<perturbed<graded_archetype<D>>> && is_ungraded_kernel<without_offset, D> && is_ungraded_kernel<closing_at_may_be_open, D> &&
+    is_ungraded_kernel<meeting_of_may_be_missing, D> && is_ungraded_kernel<cross_of_one, D> && is_ungraded_kernel<orientation_at_is_int, D>;
+static_assert(adaptors_need_grades<2> && adaptors_need_grades<3>);
+static_assert(!graded_kernel<weakest<2>> && !graded_kernel<weakest<3>>);
+static_assert(limit_kernel<perturbed<graded_archetype<2>>> && !limit_kernel<graded_archetype<2>>);
 
-}  // namespace
-
-// ---- every member of every algorithm compiles with the archetype
-
-template class splitter<weakest>;
-template class propagation<weakest>;
-template skeleton straight_skeleton<weakest>(const weakest&, const boundary&, const skeleton_options&);
-template class splitter<archetype<false>>;
-template class propagation<archetype<false>>;
-template skeleton straight_skeleton<archetype<false>>(const archetype<false>&, const boundary&, const skeleton_options&);
-
-namespace {
-
-// Four facets in a ring around one vertex: enough to be asked, never a solid.
-boundary one_vertex() {
-  boundary b;
-  b.planes = 4;
-  b.vertices.push_back({{0, 1, 2, 3}, {0, 1, 2, 3}});
-  for (plane_id p = 0; p < 4; ++p) b.edges.push_back({{0, 0}, {p, (p + 1) % 4}, p % 2 == 0});
-  return b;
-}
-
-TEST(Archetype, NothingHasAnEmptySkeleton) {
-  EXPECT_TRUE(straight_skeleton(weakest(sign::positive), boundary{}).nodes.empty());
-  EXPECT_TRUE(straight_skeleton(archetype<false>(sign::zero), boundary{}).nodes.empty());
-}
-
-// A kernel that always gives one answer contradicts itself; who is to blame depends on what it says of itself.
-TEST(Archetype, NonsenseEndsWithTheRightError) {
-  for (const sign s : {sign::positive, sign::negative}) {
-    EXPECT_THROW(straight_skeleton(weakest(s), one_vertex()), invariant_error);
-    EXPECT_THROW(straight_skeleton(archetype<false>(s), one_vertex()), undecided_error);
-  }
-  EXPECT_THROW(straight_skeleton(weakest(sign::zero), one_vertex()), degenerate_error);
-}
+// The checks are made by the compiler.
+TEST(Concept, IsCheckedAtCompileTime) { SUCCEED(); }
 
 }  // namespace
 }  // namespace osteon

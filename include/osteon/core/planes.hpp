@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace osteon {
@@ -76,10 +77,20 @@ constexpr auto lambda(const std::array<plane_id, N>& planes, std::size_t r, Mino
   return (N - 1 - r) % 2 == 0 ? value : decltype(value)(-value);
 }
 
-/// Returns all lambdas of a meeting (see lambda).
+/// Returns all lambdas of a meeting (see lambda), in order.
 template <std::size_t N, class Minor>
 constexpr auto lambdas(const std::array<plane_id, N>& planes, Minor minor) {
-  return [&]<std::size_t... R>(std::index_sequence<R...>) { return std::array{lambda(planes, R, minor)...}; }
+  // Places are constants here, because the kernels' filter spends its time with this.
+  const auto at = [&]<std::size_t r, std::size_t... i>(std::integral_constant<std::size_t, r>, std::index_sequence<i...>) {
+    const auto value = minor(planes[i < r ? i : i + 1]...);
+    if constexpr ((N - 1 - r) % 2 == 0)
+      return value;
+    else
+      return decltype(value)(-value);
+  };
+  return [&]<std::size_t... r>(std::index_sequence<r...>) {
+    return std::array{at(std::integral_constant<std::size_t, r>{}, std::make_index_sequence<N - 1>{})...};
+  }
   (std::make_index_sequence<N>{});
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -68,7 +69,7 @@ class line_order {
   /// Returns the edge that may contain the point where line l meets line y, or none.
   int edge_through(line_id l, line_id y, const meeting& m) const {
     if (only_[l] != many) return only_[l];
-    const auto e = crowd_.lower_bound(point{l, y, &m});
+    const auto e = crowd_.lower_bound(point{l, y, std::addressof(m)});
     return e == crowd_.end() || front_.edges[*e].line != l ? none : *e;
   }
 
