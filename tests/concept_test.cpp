@@ -24,7 +24,7 @@ using test::weakest;
 static_assert(kernel<weakest<2>, 2> && kernel<archetype<2, false>, 2>);
 static_assert(kernel<weakest<3>, 3> && kernel<archetype<3, false>, 3>);
 static_assert(!kernel<weakest<2>, 3> && !kernel<weakest<3>, 2> && !kernel<weakest<2>, 4>);
-static_assert(!tie_breaking_kernel<weakest<2>, 2> && !tie_breaking_kernel<weakest<3>, 3> && !limit_kernel<weakest<2>>);
+static_assert(!perturbed_kernel<weakest<2>, 2> && !perturbed_kernel<weakest<3>, 3> && !limit_kernel<weakest<2>>);
 
 // ---- near misses, one per clause. Each hides one member of the archetype, in which a reader finds what is wrong. Those that
 // concern planes one by one have the member for lines and for planes.
@@ -217,8 +217,8 @@ struct without_breaks_ties : hides_nothing_wrong<D> {
 };
 template <int D>
 inline constexpr bool only_the_first_breaks_ties =
-    tie_breaking_kernel<tie_breaker<D>, D> && !tie_breaking_kernel<breaks_no_ties<D>, D> && !tie_breaking_kernel<base_is_no_kernel<D>, D> &&
-    !tie_breaking_kernel<base_of_the_other_dimension<D>, D> && !tie_breaking_kernel<without_breaks_ties<D>, D>;
+    perturbed_kernel<tie_breaker<D>, D> && !perturbed_kernel<breaks_no_ties<D>, D> && !perturbed_kernel<base_is_no_kernel<D>, D> &&
+    !perturbed_kernel<base_of_the_other_dimension<D>, D> && !perturbed_kernel<without_breaks_ties<D>, D>;
 static_assert(only_the_first_breaks_ties<2> && only_the_first_breaks_ties<3>);
 
 struct knows_limits : hides_nothing_wrong<2> {
@@ -305,7 +305,7 @@ inline constexpr bool is_ungraded_kernel = kernel<Type<D>, D> && !graded_kernel<
 template <int D>
 inline constexpr bool adaptors_need_grades =
     graded_kernel<graded_archetype<D>>&& graded_kernel<filtered<graded_archetype<D>>>&& kernel<perturbed<graded_archetype<D>>, D>&&
-        kernel<perturbed<filtered<graded_archetype<D>>>, D>&& tie_breaking_kernel<perturbed<graded_archetype<D>>, D> &&
+        kernel<perturbed<filtered<graded_archetype<D>>>, D>&& perturbed_kernel<perturbed<graded_archetype<D>>, D> &&
     !graded_kernel<perturbed<graded_archetype<D>>> && is_ungraded_kernel<without_offset, D> && is_ungraded_kernel<closing_at_may_be_open, D> &&
     is_ungraded_kernel<meeting_of_may_be_missing, D> && is_ungraded_kernel<cross_of_one, D> && is_ungraded_kernel<orientation_at_is_int, D>;
 static_assert(adaptors_need_grades<2> && adaptors_need_grades<3>);
