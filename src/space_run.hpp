@@ -26,6 +26,9 @@ struct space_result {
 /// Computes the raw skeleton alone, with a kernel of the solid's planes.
 skeleton raw_skeleton(const any_kernel<3>& k, const solid<integer>& s, const skeleton_options& o);
 
+/// Computes a skeleton with the default kernel.
+space_result run_default(const solid<integer>& s, const skeleton_options& o);
+
 /// Computes a skeleton.
 space_result run(const solid<integer>& s, const skeleton_options& o, number_kernel k);
 

@@ -109,7 +109,7 @@ class face_tracer {
         for (std::size_t k = begin; k < i; ++k) ends_[k][2] = around[k - begin].second;
       }
       const int g = static_cast<int>(groups_.size());
-      groups_.push_back({static_cast<int>(begin), static_cast<int>(i)});
+      groups_.emplace_back(static_cast<int>(begin), static_cast<int>(i));
       for (std::size_t k = begin; k < i; ++k) {
         auto& of = groups_of_[ends_[k][2]];
         of[of[0] < 0 ? 0 : 1] = g;

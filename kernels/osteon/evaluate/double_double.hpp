@@ -86,7 +86,7 @@ inline double_double to_double_double(const integer& x, int shift) {
 
 /// Returns x within a relative 2^-104; infinity beyond the range of doubles.
 inline double_double to_double_double(const rational& x) {
-  const double high = x.convert_to<double>();
+  const auto high = x.convert_to<double>();
   if (!std::isfinite(high)) return high;
   return double_double::quick_sum(high, rational(x - rational(high)).convert_to<double>());
 }

@@ -223,10 +223,10 @@ inline roof_mesh make_roof(const polygon<integer>& p, const skeleton& raw, const
 inline void write_obj(std::ostream& out, const roof_mesh& m) {
   const auto precision = out.precision(17);
   for (const auto& p : m.points) out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-  const char* names[] = {"roof", "walls", "floor"};
+  constexpr std::array names = {"roof", "walls", "floor"};
   const char* group = nullptr;
   for (const auto& f : m.faces) {
-    const char* name = names[static_cast<int>(f.what)];
+    const char* name = names[static_cast<std::size_t>(f.what)];
     if (name != group) out << "g " << (group = name) << '\n';
     out << 'f';
     for (const int c : f.corners) out << ' ' << c + 1;

@@ -55,7 +55,7 @@ class plane_speeds {
   /// Returns a speed: exact where it is given, else less than 2^-precision too small.
   rational rounded(plane_id p, unsigned precision) const {
     if (!given_.empty()) return given_[static_cast<std::size_t>(p)];
-    return rational(roots_.scaled(p, precision), integer(1) << precision);
+    return {roots_.scaled(p, precision), integer(1) << precision};
   }
 
  private:

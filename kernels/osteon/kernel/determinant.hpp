@@ -22,8 +22,7 @@ constexpr auto determinant(At at) {
 /// Returns the determinant of three vectors of space.
 template <class Vector>
 constexpr auto determinant(const Vector& a, const Vector& b, const Vector& c) {
-  const Vector* const rows[] = {&a, &b, &c};
-  return determinant<3>([&](int row, int axis) -> const auto& { return (*rows[row])[static_cast<unsigned>(axis)]; });
+  return determinant<3>([&](int row, int axis) -> const auto& { return (row == 0 ? a : row == 1 ? b : c)[static_cast<unsigned>(axis)]; });
 }
 
 }  // namespace osteon
