@@ -82,7 +82,7 @@ template <std::size_t N, class Minor>
 constexpr auto lambdas(const std::array<plane_id, N>& planes, Minor minor) {
   // Places are constants here, because the kernels' filter spends its time with this.
   const auto at = [&]<std::size_t r, std::size_t... i>(std::integral_constant<std::size_t, r>, std::index_sequence<i...>) {
-    const auto value = minor(planes[i < r ? i : i + 1]...);
+    auto value = minor(planes[i < r ? i : i + 1]...);
     if constexpr ((N - 1 - r) % 2 == 0)
       return value;
     else
