@@ -542,7 +542,8 @@ def old_program(options, files):
         try:
             build_old(folder, options.jobs)
         except subprocess.CalledProcessError as failed:
-            sys.exit(f"the program of commit {COMMIT} cannot be built: {failed.cmd[0]} failed; give it with --old")
+            reason = f"{failed.cmd[0]} failed; give it with --old"
+            sys.exit(f"the program of commit {COMMIT} cannot be built: {reason}")
     return Program(path, files, options.jobs)
 
 
