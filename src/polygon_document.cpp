@@ -75,7 +75,7 @@ polygon_document polygon_skeleton::document() const {
   for (const auto& x : d.result.raw.interior_nodes) doc.interior_nodes.push_back({x.arc, x.node});
   doc.events = d.result.raw.events;
   if (!d.result.exact) return doc;
-  auto& exact = doc.contracted.emplace();
+  auto& exact = (doc.contracted = polygon_document::exact_skeleton()).value();
   exact.nodes.reserve(d.result.exact->nodes.size());
   for (std::size_t i = 0; i < d.result.exact->nodes.size(); ++i) {
     const auto& n = d.result.exact->nodes[i];

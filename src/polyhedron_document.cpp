@@ -122,7 +122,7 @@ polyhedron_document polyhedron_skeleton::document() const {
   doc.events = raw.events;
   doc.ambiguous = raw.ambiguous;
   if (!d.result.exact) return doc;
-  auto& exact = doc.contracted.emplace();
+  auto& exact = (doc.contracted = polyhedron_document::exact_skeleton()).value();
   for (const auto& n : d.result.exact->nodes) exact.nodes.push_back({n.raw, n.arcs});
   for (const auto& a : d.result.exact->arcs) exact.arcs.push_back({a.source, a.target, a.cells, a.sheets});
   for (const auto& t : d.result.exact->sheets) exact.sheets.push_back({t.facets, t.raw, t.arcs});
