@@ -76,7 +76,7 @@ FAULTS = [Fault(*fault) for fault in [
     ("plane: edges without length are not looked for", "watch_collapse|schedule::watch", r"(if \(|return )(when\.first <= )(when_|present_)\.last", r"\1\2-1.0", [PLANE]),
     ("plane: arcs pass through nodes unseen", "collapse_zero_length_edges|trace_interior_node",
      r"\w+\.interior_nodes\.push_back\(\{[^;]*, m\.node\}\);", "{}", [PLANE]),
-    ("plane: changed edges are not looked at", "watch_contacts|contact_search::watch", r"(look_from_edge\(changed\[i\]\)|search_from_edge\(e\));", "", [PLANE]),
+    ("plane: changed edges are not looked at", "watch_contacts|contact_search::watch", r"(look_from_edge\(changed\[i\]\)|search_from_edge\(e\)|boxes_\.vertices_near_edge\(.*?\}\));", "", [PLANE]),
     ("plane: new reflex vertices are not looked at", "watch_contacts|contact_search::watch", r"(look_from_vertex\(vertices\[i\]\)|search_from_vertex\(v\));", "", [PLANE]),
     ("plane: merged edges are not looked at", "replace", r"(touched\[count\+\+\] = merged\[r\]|change\.edges\.push_back\(merged\));", "", [PLANE]),
     ("plane: windows without contacts", "open_window|are_contacts_possible", r"(contacts_ =|return) std::ranges::any_of\(", r"\1 !std::ranges::any_of(", [PLANE]),
