@@ -13,7 +13,7 @@ target=$2
 found="$build/fuzz/found-$target"
 failed="$build/fuzz/failed-$target"
 mkdir -p "$found" "$failed" "$here/corpus/$target"
-limits=(-entropic=0 -max_len="$("$here/max_len" "$target")" -timeout=10 -rss_limit_mb=2048)
+limits=(-entropic=0 -max_len="$("$here/max_len" "$target")" -timeout=60 -rss_limit_mb=2048)
 mapfile -t seeds < <("$here/seeds" "$target")
 [ -f "$here/$target.dict" ] && limits+=(-dict="$here/$target.dict")
 if $keep; then
